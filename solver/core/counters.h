@@ -1,0 +1,41 @@
+// Work done, in plain numbers.
+#pragma once
+
+#include <cstdint>
+
+namespace penumbra {
+
+/// Work that a step did. Sums of integers, so that they do not depend on the order of threads.
+struct Work {
+    std::int64_t kernel_evaluations = 0; ///< G at a pair of points, or one closed-form polygon integral
+    std::int64_t clips = 0;              ///< a source clipped by the cone of one blocker, for one receiver point
+    std::int64_t rays = 0;
+    std::int64_t sampled_visibility = 0; ///< partly hidden evaluations that were sampled instead of clipped
+
+    Work &operator+=(const Work &o) {
+        kernel_evaluations += o.kernel_evaluations;
+        clips += o.clips;
+        rays += o.rays;
+        sampled_visibility += o.sampled_visibility;
+        return *this;
+    }
+};
+
+/// State of the solution after a phase, and what the phases of the present iteration cost.
+struct Counters {
+    int iteration = 0;
+    int patches = 0;          ///< leaves of surfaces with reflectance > 0
+    std::int64_t coefficients = 0; ///< basis functions on these leaves (one set serves the three channels)
+    std::int64_t links = 0;
+    int nodes_at_limit = 0;   ///< nodes that failed the oracle at the depth limit and were kept
+    int splits = 0;           ///< nodes split in this iteration
+    int cuts = 0;             ///< of these, along a curve
+    Work work;                ///< of this iteration
+    Work total_work;          ///< of all iterations so far
+    double refine_s = 0, gather_s = 0, push_pull_s = 0;
+    double seconds = 0;       ///< of all iterations so far
+    double change = 0;        ///< largest change of a radiosity in this iteration, as a fraction of the largest B - E
+    bool converged = false;   ///< no refinement in this iteration, and a change below 0.1 threshold (1 - rho_max)
+};
+
+} // namespace penumbra

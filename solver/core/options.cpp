@@ -1,0 +1,28 @@
+#include "core/options.h"
+
+#include <array>
+
+namespace penumbra {
+
+namespace {
+struct Naming {
+    std::string_view name, title;
+};
+constexpr std::array<Naming, 4> namings{{{"uniform-constant", "Uniform meshing, constant basis"},
+                                         {"discontinuity-constant", "Discontinuity meshing, constant basis"},
+                                         {"uniform-wavelet", "Uniform meshing, multiwavelet basis"},
+                                         {"discontinuity-wavelet", "Discontinuity meshing, multiwavelet basis"}}};
+} // namespace
+
+std::string_view name(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].name; }
+
+std::string_view title(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].title; }
+
+std::optional<Strategy> strategy_from_name(std::string_view text) {
+    for (const Strategy s : all_strategies)
+        if (name(s) == text)
+            return s;
+    return std::nullopt;
+}
+
+} // namespace penumbra

@@ -1,0 +1,44 @@
+// What a solution is asked for, in scale-free units.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace penumbra {
+
+/// The paper's four strategies, (a) to (d) of its section 5.
+enum class Strategy { uniform_constant, discontinuity_constant, uniform_wavelet, discontinuity_wavelet };
+
+inline constexpr Strategy all_strategies[] = {Strategy::uniform_constant, Strategy::discontinuity_constant,
+                                              Strategy::uniform_wavelet, Strategy::discontinuity_wavelet};
+
+/// `uniform-constant` and so on; the public names.
+std::string_view name(Strategy strategy);
+std::optional<Strategy> strategy_from_name(std::string_view name);
+/// In words, for labels: "Uniform meshing, constant basis".
+std::string_view title(Strategy strategy);
+
+constexpr bool cuts_along_curves(Strategy s) {
+    return s == Strategy::discontinuity_constant || s == Strategy::discontinuity_wavelet;
+}
+constexpr bool is_constant(Strategy s) {
+    return s == Strategy::uniform_constant || s == Strategy::discontinuity_constant;
+}
+
+struct Options {
+    Strategy strategy = Strategy::discontinuity_wavelet;
+    /// Polynomials of degree < order in each parameter, 1 to 4; the two constant strategies take 1 whatever stands here.
+    int order = 4;
+    /// Largest misfit that the oracle lets pass, as a fraction of the largest reflected radiosity B - E.
+    double threshold = 0.01;
+    /// Halvings of both directions below a surface's convex part; the paper's experiment allows 6.
+    int max_depth = 6;
+    int max_iterations = 100;
+    /// 0: all cores.
+    int threads = 0;
+
+    int effective_order() const { return is_constant(strategy) ? 1 : order; }
+};
+
+} // namespace penumbra

@@ -1,0 +1,76 @@
+// A picture of the solution between two phases, in plain arrays: all that a window or a file needs to know of it.
+// Immutable once made; coordinates are the scene's own frame [its length unit], radiosity is in W/m2.
+#pragma once
+
+#include "core/counters.h"
+#include "core/options.h"
+#include "core/vec.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace penumbra {
+
+enum class Phase { start, refined, gathered, pushed_pulled };
+std::string_view name(Phase phase);
+
+/// What lies along a side of a patch.
+enum class SideKind : std::uint8_t { outline, uniform, cut };
+
+struct SnapshotSurface {
+    Vec3 origin, u, v, normal;  ///< plane frame; a point is origin + x u + y v
+    std::vector<Vec2> outline;  ///< counter-clockwise, in the frame
+    std::vector<std::vector<Vec2>> covers; ///< convex polygons that lie on it and darken it
+    Rgb reflectance, exitance;
+    std::string name;
+};
+
+/// A leaf: the bilinear quad x(u,v) = (1-u)(1-v) c0 + u(1-v) c1 + uv c2 + (1-u)v c3 of its surface's plane (two corners
+/// coincide in a triangle), on which B(u,v) = sum over i, j of coefficients[first + i*order + j] L_i(u) L_j(v), with
+/// L_k the Legendre polynomials orthonormal on [0,1].
+struct SnapshotPatch {
+    std::int32_t surface = 0;
+    std::int32_t order = 1;
+    std::int32_t first = 0;             ///< of its order^2 coefficients
+    std::array<Vec2, 4> corners;
+    std::array<SideKind, 4> sides;      ///< side k runs from corner k to corner (k+1)%4
+    float depth = 0;                    ///< halvings of both directions
+    bool fresh = false;                 ///< made in this iteration
+    bool at_limit = false;              ///< failed the oracle at the depth limit
+};
+
+struct SnapshotCurve {
+    std::int32_t kind = 0, order = 2;   ///< as CurveKind
+    std::int32_t source = 0, receiver = 0;
+    std::vector<std::int32_t> blockers;
+    std::vector<Vec3> points;           ///< polyline on the receiver
+};
+
+struct SnapshotLink {
+    Vec3 receiver, source;              ///< centres of the two elements
+    std::int32_t kind = 0;              ///< 0 clear, 1 near or touching, 2 partly hidden
+};
+
+struct Snapshot {
+    std::uint64_t version = 0;          ///< grows with every snapshot that is made in this process
+    std::string scene;
+    Options options;
+    Phase phase = Phase::start;
+    Counters counters;
+    std::vector<SnapshotSurface> surfaces;
+    std::vector<SnapshotPatch> patches; ///< of all surfaces, dark and emitting ones too
+    std::vector<Rgb> coefficients;
+    std::shared_ptr<const std::vector<SnapshotCurve>> curves; ///< of all emitters; the same object in all steps
+    std::vector<SnapshotLink> links;
+    double peak = 0;                    ///< largest reflected radiosity B - E, largest channel [W/m2]
+    double error = -1;                  ///< relative L2 error against the exact direct solution; negative: not known
+    std::string sentence;               ///< what the last phase did, in words
+};
+
+/// Radiosity of a patch at a point of its surface's plane (inside the patch).
+Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p);
+
+} // namespace penumbra
