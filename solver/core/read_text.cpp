@@ -38,12 +38,17 @@ std::string read_text(const std::filesystem::path &file, std::size_t limit) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE *)> in(std::fopen(file.c_str(), "rb"), std::fclose);
     if (!in)
         throw BadInput(file.string() + ": cannot be opened: " + std::strerror(errno));
+    const auto too_long = [&] {
+        throw BadInput(file.string() + ": is longer than the limit of " + std::to_string(limit >> 20) +
+                       " MiB; split or simplify it");
+    };
+    if (std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) > limit)
+        too_long();
     std::string text;
     char buffer[1 << 16];
     while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, in.get())) {
         if (text.size() + n > limit)
-            throw BadInput(file.string() + ": is longer than the limit of " + std::to_string(limit >> 20) +
-                           " MiB; split or simplify it");
+            too_long();
         text.append(buffer, n);
     }
     if (std::ferror(in.get()))

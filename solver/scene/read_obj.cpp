@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/read_text.h"
 #include "scene/build_scene.h"
+#include "scene/obj_header.h"
 #include "scene/read_mtl.h"
 
 #include <algorithm>
@@ -187,7 +188,11 @@ Scene read_obj_text(const std::filesystem::path &file, std::string_view text, co
     reader.read(text);
     RawScene raw = assemble(reader, open);
     raw.up = up;
-    return build_scene(std::move(raw));
+    Scene scene = build_scene(std::move(raw));
+    ObjHeader header = read_obj_header(text);
+    scene.description = std::move(header.description);
+    scene.view = header.view;
+    return scene;
 }
 
 Scene read_obj(const std::filesystem::path &file, const Vec3 &up) {
