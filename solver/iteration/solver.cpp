@@ -51,8 +51,6 @@ Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const
     setting.blockers = std::make_unique<const Blockers>(*setting.scene);
     if (cancel)
         cancel->check();
-    setting.curves = trace_emitter_curves(*setting.scene);
-    setting.curves_on.resize(setting.scene->surfaces.size());
     for (std::size_t c = 0; c < setting.curves.size(); ++c)
         setting.curves_on[setting.curves[c].receiver.at()].push_back(c);
     setting.drawn_curves = draw_curves(setting);
