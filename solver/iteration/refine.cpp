@@ -161,7 +161,7 @@ private:
             }
         std::string how = "split in four";
         if (split.curve) {
-            const Curve &curve = setting_.curves[split.curve->at()];
+            const Curve &curve = setting_.curves.curve(*split.curve);
             how = "cut along the " + std::string(name(curve.kind)) + " curve of " + surface_name(curve.source);
             if (!curve.blockers.empty())
                 how += " and " + surface_name(curve.blockers.front());
