@@ -122,7 +122,7 @@ bool ShapeReader::is_corner(const std::vector<Figure> &figures, const Vec2 &at) 
             seen += angles[i + 1] - angles[i];
     }
     n_changes += first != previous;
-    return n_changes > 0 && !(n_changes == 2 && std::abs(seen - std::numbers::pi) < 1e-4);
+    return n_changes > 0 && !(n_changes == 2 && std::abs(seen - std::numbers::pi) < 1e-6);
 }
 
 bool ShapeReader::on_receiver(const Vec2 &x) const { return inside(scene_.surface(receiver_).outline, x); }
@@ -138,13 +138,18 @@ VisibleShape ShapeReader::at(const Vec2 &x2) const {
     const double distance = plane.height(x);
     if (!on_receiver(x2) || covered(x2) || distance <= 0)
         return {};
-    std::vector<Figure> figures{project(clip(lamp_, floor.origin, floor.normal, 0, "horizon"), x, true)};
+    std::vector<Figure> figures{project(clip(lamp_, floor.origin, floor.normal, 1e-9, "horizon"), x, true)};
     if (figures[0].outline.empty())
         return {};
     for (const Face &face : faces_) {
         // What blocks lies in front of both planes, between x and the source.
-        Face part = clip(face, floor.origin, floor.normal, 1e-12, "floor");
-        part = clip(part, plane.origin, plane.normal, 1e-12, "source");
+        const auto rises = [&](const PlaneFrame &over) {
+            return std::ranges::any_of(face.corners, [&](const Corner &c) { return over.height(c.at) > 1e-9; });
+        };
+        if (!rises(floor) || !rises(plane))
+            continue;
+        Face part = clip(face, floor.origin, floor.normal, 1e-12, "floor"); // off the horizon's own line
+        part = clip(part, plane.origin, plane.normal, 0, "source");
         for (std::size_t i = 0; i < 4; ++i)
             part = clip(part, x, (frame_[i] - x).cross(frame_[(i + 1) % 4] - x).normalized() * -1, 0, "frame");
         if (part.corners.size() > 2)
