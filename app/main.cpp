@@ -29,13 +29,12 @@ int run(std::vector<std::string> arguments) {
     root.require_subcommand(1);
     const std::vector<Command> commands = add_commands(root);
     arguments = with_verb(std::move(arguments), commands);
-    std::ranges::reverse(arguments); // as CLI11 takes them
     try {
-        root.parse(arguments);
+        root.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 takes them backwards
     } catch (const CLI::ParseError &e) {
         if (e.get_exit_code() == 0)
             return root.exit(e); // help and version
-        complain(std::string(e.what()) + "; see penumbra --help");
+        complain(std::string(e.what()) + "; see penumbra " + arguments.front() + " --help");
         return wrong_use;
     }
     for (const Command &command : commands)

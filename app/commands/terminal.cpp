@@ -42,14 +42,15 @@ void deliver(const std::string &file, std::string_view bytes) {
 }
 
 void check_deliverable(const std::string &file) {
+    std::error_code none;
+    const bool is_file = !std::filesystem::exists(file, none) || std::filesystem::is_regular_file(file, none);
     if (is_standard_output(file))
         return;
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-        throw Unavailable("cannot write " + file + ": " + std::strerror(errno));
-    std::error_code none;
     if (std::filesystem::is_directory(file, none))
         throw Unavailable("cannot write " + file + ": it is a folder");
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (is_file && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+        throw Unavailable("cannot write " + file + ": " + std::strerror(errno));
 }
 
 } // namespace penumbra
