@@ -85,7 +85,7 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
         label.figures.push_back(three_digits(c.seconds) + " s");
     label.footnote = snapshot.scene + ", " +
                      (c.iteration == 0 ? "before the first step"
-                                       : "step " + std::to_string(c.iteration) + ", " + std::string(name(snapshot.phase)));
+                                       : "step " + std::to_string(c.iteration) + ", after " + std::string(name(snapshot.phase)));
     return label;
 }
 

@@ -5,6 +5,7 @@
 #include "core/counters.h"
 #include "core/options.h"
 #include "core/vec.h"
+#include "hierarchy/forest.h"
 
 #include <array>
 #include <cstdint>
@@ -16,9 +17,6 @@ namespace penumbra {
 
 enum class Phase { start, refined, gathered, pushed_pulled };
 std::string_view name(Phase phase);
-
-/// What lies along a side of a patch.
-enum class SideKind : std::uint8_t { outline, uniform, cut };
 
 struct SnapshotSurface {
     Vec3 origin, u, v, normal;  ///< plane frame; a point is origin + x u + y v
@@ -72,7 +70,7 @@ struct Snapshot {
 
 /// Radiosity of a patch at its parameters u, v in [0,1].
 Rgb radiosity_at(const Snapshot &snapshot, const SnapshotPatch &patch, double u, double v);
-/// Radiosity of a patch at a point of its surface's plane; points outside the patch are taken to its border.
+/// Radiosity of a patch at a point of its surface's plane (inside the patch).
 Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p);
 
 } // namespace penumbra
