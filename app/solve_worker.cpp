@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace penumbra::app {
+namespace penumbra {
 
 SolveWorker::SolveWorker(ReadScene read_scene, std::function<void()> wake)
     : read_scene_(std::move(read_scene)), wake_(std::move(wake)),
@@ -149,4 +149,4 @@ void SolveWorker::report(Report report) {
     wake_();
 }
 
-} // namespace penumbra::app
+} // namespace penumbra

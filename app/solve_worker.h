@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-namespace penumbra::app {
+namespace penumbra {
 
 /// Where the solutions of one run should stand. A run is one scene with one set of options, for all strategies.
 struct Goal {
@@ -117,4 +117,4 @@ private:
     std::jthread thread_; ///< last: it uses all the above
 };
 
-} // namespace penumbra::app
+} // namespace penumbra

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace penumbra::app {
+namespace penumbra {
 
 inline constexpr int phases_per_iteration = 3;
 
@@ -43,4 +43,4 @@ struct Timeline {
     }
 };
 
-} // namespace penumbra::app
+} // namespace penumbra
