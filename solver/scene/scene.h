@@ -7,6 +7,7 @@
 #include "geometry/polygon.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,15 @@ struct Surface {
     Polygon outline;           ///< the corners in the frame's plane
     std::vector<Polygon> parts; ///< convex, of any number of corners; they tile the outline
     /// Convex polygons of other surfaces that lie on this one, in this frame: what they cover is dark and neither
-    /// reflects nor emits (the emitter, else the later in file order, lies on top).
+    /// reflects nor emits (the emitter, else the later in file order, lies on top). They may overlap.
     std::vector<Polygon> covers;
     double area = 0; ///< of the outline, covered or not; solver units
+};
+
+/// Where a picture of the scene is taken from unless somebody asks for another place; in the scene's own frame.
+struct View {
+    Vec3 eye, target;
+    double fov_degrees = 40; ///< from the lower to the upper border
 };
 
 struct Scene {
@@ -51,6 +58,8 @@ struct Scene {
     std::vector<Surface> surfaces;     ///< by SurfaceId
     OwnFrame own;
     Vec3 up = Vec3::UnitZ();
+    std::string description;           ///< one line, empty when the file has none
+    std::optional<View> view;          ///< the file's own
     std::vector<std::string> notes;    ///< what was mended or skipped while reading, a line each
 
     const Surface &surface(SurfaceId s) const { return surfaces[s.at()]; }

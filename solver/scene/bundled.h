@@ -1,0 +1,24 @@
+// The scenes of assets/scenes, held in the program itself: an installed or a moved program finds them.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <span>
+#include <string_view>
+
+namespace penumbra {
+
+struct BundledScene {
+    std::string_view name; ///< as commands take it: `figure-4`
+    std::string_view obj, mtl;
+
+    std::string description() const;
+};
+
+std::span<const BundledScene> bundled_scenes();
+
+/// What `name` stands for in every command: the file of that name where there is one, else the bundled scene. Throws
+/// BadInput as read_obj does, and names the bundled scenes when there is neither.
+Scene open_scene(const std::string &name, const Vec3 &up = Vec3::UnitZ());
+
+} // namespace penumbra

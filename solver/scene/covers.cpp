@@ -1,0 +1,105 @@
+#include "scene/covers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+namespace {
+
+struct Box {
+    Vec3 low, high;
+    bool meets(const Box &o) const {
+        return ((low - o.high).maxCoeff() <= coplanar_within) && ((o.low - high).maxCoeff() <= coplanar_within);
+    }
+};
+
+Box box_of(const Surface &surface) {
+    Box box{surface.corners[0], surface.corners[0]};
+    for (const Vec3 &x : surface.corners) {
+        box.low = box.low.cwiseMin(x);
+        box.high = box.high.cwiseMax(x);
+    }
+    return box;
+}
+
+bool coplanar(const Surface &a, const Surface &b) {
+    const auto within = [](const Surface &s, const Surface &of) {
+        return std::ranges::all_of(s.corners,
+                                   [&](const Vec3 &x) { return std::abs(of.frame.height(x)) <= coplanar_within; });
+    };
+    return std::abs(a.frame.normal.dot(b.frame.normal)) > 0.999 && within(a, b) && within(b, a);
+}
+
+/// `subject` on the left of the line from a to b (Sutherland & Hodgman 1974).
+Polygon left_of(const Polygon &subject, const Vec2 &a, const Vec2 &b) {
+    Polygon out;
+    const auto side = [&](const Vec2 &p) { return cross(b - a, p - a); };
+    for (std::size_t i = 0; i < subject.size(); ++i) {
+        const Vec2 &p = subject[i], &q = subject[(i + 1) % subject.size()];
+        const double dp = side(p), dq = side(q);
+        if (dp >= 0)
+            out.push_back(p);
+        if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0))
+            out.push_back(p + dp / (dp - dq) * (q - p));
+    }
+    return out;
+}
+
+Polygon intersection(Polygon subject, const Polygon &window) {
+    for (std::size_t i = 0; i < window.size() && !subject.empty(); ++i)
+        subject = left_of(subject, window[i], window[(i + 1) % window.size()]);
+    return subject;
+}
+
+double perimeter(const Polygon &polygon) {
+    double sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        sum += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
+    return sum;
+}
+
+/// A part of one surface in the plane of another, counter-clockwise there.
+Polygon carried_over(const Polygon &part, const PlaneFrame &from, const PlaneFrame &to) {
+    Polygon out;
+    for (const Vec2 &p : part)
+        out.push_back(to.to_plane(from.to_space(p)));
+    if (area(out) < 0)
+        std::ranges::reverse(out);
+    return out;
+}
+
+void cover(Surface &below, const Surface &above) {
+    for (const Polygon &part : above.parts) {
+        const Polygon window = carried_over(part, above.frame, below.frame);
+        for (const Polygon &own : below.parts) {
+            Polygon piece = intersection(own, window);
+            // What only touches leaves a strip as wide as rounding.
+            if (piece.size() > 2 && area(piece) > coplanar_within * perimeter(piece))
+                below.covers.push_back(std::move(piece));
+        }
+    }
+}
+
+} // namespace
+
+void find_covers(Scene &scene) {
+    std::vector<Box> boxes;
+    for (const Surface &surface : scene.surfaces)
+        boxes.push_back(box_of(surface));
+    const auto n = static_cast<std::size_t>(scene.n_surfaces());
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j) {
+            Surface &a = scene.surfaces[i], &b = scene.surfaces[j];
+            if (a.face == b.face || !boxes[i].meets(boxes[j]) || !coplanar(a, b))
+                continue;
+            const bool opposite = a.frame.normal.dot(b.frame.normal) < 0;
+            const bool a_on_top = scene.emits(SurfaceId(i)) && !scene.emits(SurfaceId(j));
+            if (opposite || !a_on_top)
+                cover(a, b);
+            if (opposite || a_on_top)
+                cover(b, a);
+        }
+}
+
+} // namespace penumbra

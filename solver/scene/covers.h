@@ -1,0 +1,16 @@
+// Coplanar overlap: a lamp in its ceiling, a box on its floor, the same face twice.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace penumbra {
+
+/// Surfaces lie in one plane when no corner of either is farther than this from the other's (unit size).
+inline constexpr double coplanar_within = 1e-9;
+
+/// Fills `covers` of all surfaces. Where two surfaces overlap in one plane and face the same way, the emitter, else the
+/// later, lies on top and covers the other; where they face each other's way, each covers the other. The two sides of
+/// one double-sided face never do, nor do surfaces that only touch. Covers of different surfaces may overlap.
+void find_covers(Scene &scene);
+
+} // namespace penumbra

@@ -1,0 +1,114 @@
+// The bundled scenes: whole, and each face's front where light is.
+#include "scene/bundled.h"
+
+#include "core/error.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace penumbra {
+namespace {
+
+const Surface &named(const Scene &scene, const std::string &name) {
+    for (const Surface &s : scene.surfaces)
+        if (s.name == name)
+            return s;
+    throw std::out_of_range(name);
+}
+
+/// Volume that the surfaces of that name enclose, positive when their fronts face outwards: a sum of cones from the
+/// origin, so that a bottom that is missing in the plane z = 0 adds nothing.
+double volume(const Scene &scene, const std::string &name) {
+    double sum = 0;
+    for (const Surface &s : scene.surfaces)
+        if (s.name == name) {
+            const Vec3 base = scene.own.to_solver(Vec3::Zero());
+            sum += s.area * (s.corners[0] - base).dot(s.frame.normal) / 3;
+        }
+    return sum * std::pow(scene.own.size, 3);
+}
+
+TEST(Bundled, AllAreThereWithDescriptionAndView) {
+    std::vector<std::string_view> names;
+    for (const BundledScene &b : bundled_scenes()) {
+        names.push_back(b.name);
+        const Scene scene = open_scene(std::string(b.name));
+        EXPECT_EQ(scene.name, b.name);
+        EXPECT_FALSE(scene.description.empty()) << b.name;
+        EXPECT_TRUE(scene.view) << b.name;
+        EXPECT_NEAR((scene.own.to_solver(scene.own.centre)).norm(), 0, 1e-15);
+    }
+    EXPECT_THAT(names, testing::UnorderedElementsAre("figure-4", "slanted-edge", "cornell-box", "furnace",
+                                                     "skew-blockers", "box-on-floor", "stairs"));
+}
+
+TEST(Bundled, NothingNeedsMendingButTheCornellBox) {
+    for (const BundledScene &b : bundled_scenes())
+        EXPECT_EQ(open_scene(std::string(b.name)).notes.size(), b.name == "cornell-box" ? 1U : 0U) << b.name;
+}
+
+TEST(Bundled, FloorsFaceUpAndLightsDown) {
+    for (const BundledScene &b : bundled_scenes()) {
+        if (b.name == "furnace")
+            continue;
+        const Scene scene = open_scene(std::string(b.name));
+        EXPECT_NEAR(named(scene, "floor").frame.normal.z(), 1, 1e-12) << b.name;
+        EXPECT_NEAR(named(scene, "light").frame.normal.z(), -1, 1e-12) << b.name;
+    }
+}
+
+// Volumes by hand: 0.7 x 0.5 x 0.8; five steps of 0.3 x 1.2 and heights 0.2 to 1; blocks by the area of their tops
+// (cross product of the diagonals over 2) times height; the unit cube is seen from inside, so its volume is negative.
+TEST(Bundled, SolidsFaceOutwards) {
+    EXPECT_NEAR(volume(open_scene("box-on-floor"), "box"), 0.7 * 0.5 * 0.8, 1e-7);
+    EXPECT_NEAR(volume(open_scene("stairs"), "steps"), 0.3 * 1.2 * (0.2 + 0.4 + 0.6 + 0.8 + 1.0), 1e-12);
+    EXPECT_NEAR(volume(open_scene("furnace"), "walls"), -1, 1e-12);
+    const Scene box = open_scene("cornell-box");
+    EXPECT_NEAR(volume(box, "short_block"), 165 * (110 * 111 + 207 * 208) / 2.0, 1e-3);
+    EXPECT_NEAR(volume(box, "tall_block"), 330 * (109 * 110 + 209 * 207) / 2.0, 1e-3);
+}
+
+TEST(Bundled, CornellBoxFacesInwards) {
+    const Scene scene = open_scene("cornell-box");
+    for (const char *wall : {"ceiling", "back_wall", "left_wall", "right_wall"}) {
+        const Surface &s = named(scene, wall);
+        EXPECT_GT(s.frame.height(Vec3::Zero()), 0) << wall << ": the middle of the box lies in front";
+    }
+    EXPECT_EQ(scene.n_surfaces(), 6 + 1 + 5 + 5) << "the bent wall is two triangles";
+    EXPECT_EQ(named(scene, "ceiling").covers.size(), 1U);
+    EXPECT_NEAR(area(named(scene, "ceiling").covers[0]), named(scene, "light").area, 1e-12);
+    EXPECT_TRUE(named(scene, "light").covers.empty());
+}
+
+TEST(Bundled, BoxOnFloorDarkensBothFacesOfTheContact) {
+    const Scene scene = open_scene("box-on-floor");
+    ASSERT_EQ(named(scene, "floor").covers.size(), 1U);
+    const double bottom = 0.7 * 0.5 / std::pow(scene.own.size, 2);
+    EXPECT_NEAR(area(named(scene, "floor").covers[0]), bottom, 1e-9);
+    EXPECT_EQ(named(scene, "box").covers.size(), 1U) << "its bottom is its first face";
+}
+
+TEST(Bundled, AnExistingFileWins) {
+    const auto folder = std::filesystem::temp_directory_path() / "penumbra-bundled-test";
+    std::filesystem::create_directories(folder);
+    const auto here = std::filesystem::current_path();
+    std::filesystem::current_path(folder);
+    std::ofstream("figure-4") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const int n = open_scene("figure-4").n_surfaces();
+    std::filesystem::current_path(here);
+    std::filesystem::remove_all(folder);
+    EXPECT_EQ(n, 1);
+    EXPECT_EQ(open_scene("figure-4").n_surfaces(), 3);
+}
+
+TEST(Bundled, AnUnknownNameListsThem) {
+    try {
+        open_scene("no-such-scene");
+        FAIL();
+    } catch (const BadInput &e) {
+        EXPECT_THAT(e.what(), testing::HasSubstr("figure-4"));
+    }
+}
+
+} // namespace
+} // namespace penumbra

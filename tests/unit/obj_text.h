@@ -1,0 +1,15 @@
+// Scenes written down in a test.
+#pragma once
+
+#include "scene/read_obj.h"
+
+namespace penumbra {
+
+/// Reads `obj` as the file t.obj, with `mtl` as any material library that it names.
+inline Scene scene_of(const std::string &obj, const std::string &mtl = "") {
+    return read_obj_text("t.obj", obj, [&](const std::string &) {
+        return mtl.empty() ? std::nullopt : std::optional(mtl);
+    });
+}
+
+} // namespace penumbra
