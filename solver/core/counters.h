@@ -30,6 +30,7 @@ struct Counters {
     int nodes_at_limit = 0;   ///< nodes that failed the oracle at the depth limit and were kept
     int splits = 0;           ///< nodes split in this iteration
     int cuts = 0;             ///< of these, along a curve
+    bool refined = false;     ///< anything was split or linked in this iteration
     Work work;                ///< of this iteration
     Work total_work;          ///< of all iterations so far
     double refine_s = 0, gather_s = 0, push_pull_s = 0;

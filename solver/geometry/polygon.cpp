@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 
 namespace penumbra {
 
@@ -60,6 +61,27 @@ Vec2 nearest_point(std::span<const Vec2> convex, const Vec2 &p) {
         }
     }
     return best;
+}
+
+Polygon convex_hull(Polygon points) {
+    std::ranges::sort(points, [](const Vec2 &a, const Vec2 &b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
+    Polygon hull;
+    const auto chain = [&](const auto &range) {
+        const std::size_t start = hull.size();
+        for (const Vec2 &p : range) {
+            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();
+    };
+    if (points.size() < 3)
+        return points;
+    chain(points);
+    chain(points | std::views::reverse);
+    return hull;
 }
 
 std::vector<Polygon> quads_and_triangles(const Polygon &convex) {

@@ -5,6 +5,7 @@
 #include "core/counters.h"
 #include "core/options.h"
 #include "core/vec.h"
+#include "hierarchy/forest.h"
 
 #include <array>
 #include <cstdint>
@@ -16,9 +17,6 @@ namespace penumbra {
 
 enum class Phase { start, refined, gathered, pushed_pulled };
 std::string_view name(Phase phase);
-
-/// What lies along a side of a patch.
-enum class SideKind : std::uint8_t { outline, uniform, cut };
 
 struct SnapshotSurface {
     Vec3 origin, u, v, normal;  ///< plane frame; a point is origin + x u + y v

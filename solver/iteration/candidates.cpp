@@ -1,0 +1,152 @@
+#include "iteration/candidates.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+namespace {
+
+constexpr int grid = 12;              // samples a parameter
+constexpr std::size_t most_cuts = 24; // of one node that are scored, the longest first
+
+using Samples = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// Reflected radiosity that the failing sources bring to points of the node.
+struct Field {
+    std::vector<Vec2> points;
+    Samples values;
+};
+
+Field sample_field(const Setting &setting, const Transport &transport, const State &state, const Element &node,
+                   std::span<const Interaction *const> failing, Work &work) {
+    Field field;
+    for (int i = 0; i < grid; ++i)
+        for (int j = 0; j < grid; ++j)
+            field.points.push_back(node.basis.quad().at((i + 0.5) / grid, (j + 0.5) / grid));
+    field.values = Samples::Zero(static_cast<Eigen::Index>(field.points.size()), 3);
+    for (const Interaction *interaction : failing)
+        field.values += sample(transport, state.forest, *interaction, field.points, state.radiosity, work);
+    field.values *= setting.reflectance(node.surface).matrix().asDiagonal();
+    return field;
+}
+
+/// Squared error of the least-squares fit over the samples inside the quad. With few samples the degree is lowered so
+/// that there are at least two samples a coefficient: a fit through all points would show nothing.
+double misfit(const Field &field, const BilinearQuad &quad, int order) {
+    const Polygon outline = quad.outline();
+    std::vector<Eigen::Index> inside;
+    for (std::size_t i = 0; i < field.points.size(); ++i)
+        if (contains(outline, field.points[i]))
+            inside.push_back(static_cast<Eigen::Index>(i));
+    while (order > 1 && 2 * order * order > static_cast<int>(inside.size()))
+        --order;
+    if (inside.empty())
+        return 0;
+    const ElementBasis basis(order, quad);
+    Eigen::MatrixXd a(static_cast<Eigen::Index>(inside.size()), basis.n_functions());
+    Samples values(a.rows(), 3);
+    for (Eigen::Index i = 0; i < a.rows(); ++i) {
+        const Eigen::Index from = inside[static_cast<std::size_t>(i)];
+        a.row(i) = basis.evaluate(field.points[static_cast<std::size_t>(from)]).transpose();
+        values.row(i) = field.values.row(from);
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
+    return (values - a * qr.solve(values)).squaredNorm();
+}
+
+double misfit(const Field &field, std::span<const BilinearQuad> quads, int order) {
+    double sum = 0;
+    for (const BilinearQuad &quad : quads)
+        sum += misfit(field, quad, order);
+    return sum;
+}
+
+/// The part of a curve inside a convex polygon, as a fraction of the element's size; 0 when it keeps out.
+double length_inside(const Curve &curve, std::span<const Vec2> convex) {
+    double low = 0, high = 1;
+    for (const HalfPlane &h : half_planes(convex)) {
+        const double a = h.value(curve.from), b = h.value(curve.to);
+        if (a <= 0 && b <= 0)
+            return 0;
+        if (a < 0)
+            low = std::max(low, a / (a - b));
+        else if (b < 0)
+            high = std::min(high, a / (a - b));
+    }
+    return std::max(0.0, high - low) * (curve.to - curve.from).norm() / radius(convex);
+}
+
+struct CurveCut {
+    CurveId curve;
+    double length;
+    HalfPlane line;
+    CutPlan plan;
+};
+
+std::vector<CurveCut> curve_cuts(const Setting &setting, const Element &node,
+                                 std::span<const Interaction *const> failing) {
+    std::vector<CurveCut> cuts;
+    const Polygon &outline = node.basis.outline();
+    const Vec2 centre = node.basis.centre();
+    const double size = radius(outline);
+    for (const std::size_t c : setting.curves_on[node.surface.at()]) {
+        const Curve &curve = setting.curves[c];
+        if (std::ranges::none_of(failing, [&](const Interaction *i) { return i->source == curve.source; }))
+            continue;
+        const double length = length_inside(curve, outline);
+        if (length <= 1e-6)
+            continue;
+        const Vec2 d = (curve.to - curve.from).normalized();
+        const HalfPlane line{-d.y(), d.x(), cross(curve.from, d)};
+        // Collinear pieces (of the parallel edges of a lamp and a blocker, say) make one cut.
+        const bool known = std::ranges::any_of(cuts, [&](const CurveCut &other) {
+            const double turn = std::abs(other.line.a * line.b - other.line.b * line.a);
+            return turn < 1e-9 && std::abs(std::abs(other.line.value(centre)) - std::abs(line.value(centre))) < 1e-9 * size;
+        });
+        if (known)
+            continue;
+        if (auto plan = plan_cut(node, line))
+            cuts.push_back({CurveId(c), length, line, std::move(*plan)});
+    }
+    std::ranges::stable_sort(cuts, std::greater<>(), &CurveCut::length);
+    if (cuts.size() > most_cuts)
+        cuts.resize(most_cuts);
+    return cuts;
+}
+
+} // namespace
+
+std::optional<Split> best_split(const Setting &setting, const Transport &transport, const State &state, ElementId id,
+                                std::span<const Interaction *const> failing, Work &work) {
+    const Element &node = state.forest[id];
+    const bool may_subdivide = node.half_depth + 2 <= 2 * setting.options.max_depth;
+    std::vector<CurveCut> cuts;
+    if (cuts_along_curves(setting.options.strategy))
+        cuts = curve_cuts(setting, node, failing);
+    if (cuts.empty())
+        return may_subdivide ? std::optional(Split{}) : std::nullopt;
+    if (cuts.size() == 1 && !may_subdivide)
+        return Split{cuts[0].plan, cuts[0].curve, 0};
+
+    const int order = node.basis.order();
+    const Field field = sample_field(setting, transport, state, node, failing, work);
+    const double now = misfit(field, node.basis.quad(), order);
+    const auto score = [&](std::span<const BilinearQuad> children) {
+        const double added = static_cast<double>((children.size() - 1) * static_cast<std::size_t>(order * order));
+        return (now - misfit(field, children, order)) / added;
+    };
+    std::optional<Split> best;
+    if (may_subdivide)
+        best = Split{std::nullopt, std::nullopt, score(uniform_children(node.basis.quad()))};
+    for (const CurveCut &candidate : cuts) {
+        const double value = score(candidate.plan.leaves());
+        if (!best || value > best->score)
+            best = Split{candidate.plan, candidate.curve, value};
+    }
+    return best;
+}
+
+} // namespace penumbra

@@ -1,0 +1,20 @@
+#include "iteration/state.h"
+
+#include "core/parallel.h"
+
+namespace penumbra {
+
+void gather(const Setting &, State &state, const Cancel *cancel) {
+    state.irradiance.setZero(state.forest.n_coefficients, 3);
+    parallel_for(state.forest.elements.size(), [&](std::size_t e) {
+        if (cancel)
+            cancel->check();
+        const Element &element = state.forest.elements[e];
+        auto here = state.irradiance.middleRows(element.first, element.basis.n_functions());
+        for (const auto &interaction : state.interactions[e])
+            here += interaction->irradiance(state.forest, state.radiosity);
+    });
+    state.sentence = "gathered over " + std::to_string(state.counters.links) + " links";
+}
+
+} // namespace penumbra

@@ -1,0 +1,55 @@
+#include "iteration/state.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace penumbra {
+
+namespace {
+
+/// Largest B - E over the corners and the centre of the leaves, and the largest change of B there.
+struct Extremes {
+    double reflected = 0, change = 0;
+};
+
+Extremes extremes(const State &state, const Scene &scene, const Coefficients &before) {
+    Extremes most;
+    for (const Element &e : state.forest.elements) {
+        if (!e.leaf() || !scene.reflects(e.surface))
+            continue;
+        const int n = e.basis.n_functions();
+        const auto now = state.radiosity.middleRows(e.first, n), then = before.middleRows(e.first, n);
+        std::vector<Vec2> points = e.basis.outline();
+        points.push_back(e.basis.centre());
+        for (const Vec2 &p : points) {
+            const BasisValues value = e.basis.evaluate(p);
+            const Rgb b = (value.transpose() * now).transpose().array();
+            const Rgb d = (value.transpose() * (now - then)).transpose().array();
+            most.reflected = std::max(most.reflected, (b - scene.exitance(e.surface)).maxCoeff());
+            most.change = std::max(most.change, d.abs().maxCoeff());
+        }
+    }
+    return most;
+}
+
+} // namespace
+
+void push_pull(const Setting &setting, State &state) {
+    const Scene &scene = *setting.scene;
+    const Coefficients before = state.radiosity;
+    push_pull(state.forest, scene, state.irradiance, state.radiosity);
+    const Extremes most = extremes(state, scene, before);
+    state.peak = most.reflected;
+    Counters &c = state.counters;
+    c.change = most.reflected > 0 ? most.change / most.reflected : 0;
+    double rho = 0;
+    for (int s = 0; s < scene.n_surfaces(); ++s)
+        rho = std::max(rho, scene.reflectance(SurfaceId(s)).maxCoeff());
+    c.converged = !c.refined && c.change <= 0.1 * setting.options.threshold * (1 - rho);
+    char text[96];
+    std::snprintf(text, sizeof text, "pushed irradiance to %d patches and pulled radiosity up; it changed by %.2g %%",
+                  c.patches, 100 * c.change);
+    state.sentence = c.converged ? "converged: nothing refined, and radiosity no longer changes" : text;
+}
+
+} // namespace penumbra

@@ -1,0 +1,305 @@
+#include "iteration/state.h"
+
+#include "core/parallel.h"
+#include "iteration/candidates.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+namespace penumbra {
+
+namespace {
+
+/// Shares of the oracle's threshold: a source brings too little to be tested below the first; sources are split until
+/// what their pulls dropped brings less than the second.
+constexpr double weak_share = 0.1, source_share = 0.5;
+
+/// A pair that wants links.
+struct Request {
+    ElementId receiver;
+    SurfaceId source;
+    std::vector<PairBlocker> candidates;
+    std::vector<ElementId> sources;
+    bool weak = false;
+};
+
+enum class Verdict { keep, relink, fail };
+
+struct Judgement {
+    Verdict verdict = Verdict::keep;
+    std::vector<ElementId> sources; ///< of the new links, unless kept
+    bool weak = false;
+    double misfit = 0; ///< as a fraction of the threshold
+};
+
+class Refinement {
+public:
+    Refinement(const Setting &setting, State &state, const Cancel *cancel)
+        : setting_(setting), state_(state), scene_(*setting.scene),
+          transport_{*setting.scene, *setting.blockers, std::clamp(0.01 * setting.options.threshold, 1e-7, 1e-3), cancel},
+          allowed_(setting.options.threshold * state.peak), detail_(dropped_detail(state.forest, state.radiosity)) {
+        brightness_.resize(scene_.surfaces.size());
+        for (std::size_t s = 0; s < brightness_.size(); ++s)
+            brightness_[s] = largest_radiosity(SurfaceId(s));
+    }
+
+    void run() {
+        judge_all();
+        split_failing();
+        request_new_pairs();
+        link();
+        count();
+    }
+
+private:
+    Rgb largest_radiosity(SurfaceId s) const {
+        Rgb most = Rgb::Zero();
+        for (const ElementId root : state_.forest.roots[s.at()])
+            for_each_leaf(state_.forest, root, [&](ElementId leaf) {
+                const Element &e = state_.forest[leaf];
+                const auto b = state_.radiosity.middleRows(e.first, e.basis.n_functions());
+                most = most.max(b.row(0).transpose().array().abs());
+                for (const Vec2 &corner : e.basis.outline())
+                    most = most.max((e.basis.evaluate(corner).transpose() * b).transpose().array().abs());
+            });
+        return most;
+    }
+
+    bool is_weak(ElementId receiver, SurfaceId source, double form_factor) const {
+        const Rgb most = scene_.reflectance(state_.forest[receiver].surface) * brightness_[source.at()] * form_factor;
+        return most.maxCoeff() <= weak_share * allowed_;
+    }
+
+    Judgement judge(const Interaction &interaction) const {
+        Judgement out;
+        out.weak = is_weak(interaction.receiver, interaction.source, interaction.form_factor);
+        if (interaction.links.empty() || (interaction.weak && out.weak))
+            return out;
+        const Element &p = state_.forest[interaction.receiver];
+        const double rho = scene_.reflectance(p.surface).maxCoeff();
+        double dropped = 0;
+        for (const Link &link : interaction.links)
+            dropped += rho * link.kernel(0, 0) * detail_[link.source.at()];
+        bool split_source = false;
+        const double share = source_share * allowed_ / static_cast<double>(interaction.links.size());
+        for (const Link &link : interaction.links) {
+            const Element &q = state_.forest[link.source];
+            const bool split = dropped > source_share * allowed_ && !q.leaf() &&
+                               rho * link.kernel(0, 0) * detail_[link.source.at()] > 0.5 * share;
+            if (!split)
+                out.sources.push_back(link.source);
+            for (int c = 0; split && c < q.n_children; ++c)
+                out.sources.push_back(ElementId(q.first_child.index + c));
+            split_source |= split;
+        }
+        const Rgb misfit = scene_.reflectance(p.surface) * interaction.largest_misfit(state_.forest, state_.radiosity);
+        out.misfit = allowed_ > 0 ? misfit.maxCoeff() / allowed_ : 0;
+        if (out.misfit > 1)
+            out.verdict = Verdict::fail;
+        else if (split_source || (interaction.weak && !out.weak))
+            out.verdict = Verdict::relink;
+        return out;
+    }
+
+    void judge_all() {
+        judgements_.resize(state_.interactions.size());
+        parallel_for(judgements_.size(), [&](std::size_t e) {
+            for (const auto &interaction : state_.interactions[e])
+                judgements_[e].push_back(judge(*interaction));
+        });
+    }
+
+    void split_failing() {
+        const std::size_t n = judgements_.size();
+        std::vector<std::vector<const Interaction *>> failing(n);
+        std::vector<std::size_t> to_split;
+        for (std::size_t e = 0; e < n; ++e) {
+            for (std::size_t i = 0; i < judgements_[e].size(); ++i)
+                if (judgements_[e][i].verdict == Verdict::fail)
+                    failing[e].push_back(state_.interactions[e][i].get());
+            if (!failing[e].empty() && state_.forest.elements[e].leaf())
+                to_split.push_back(e);
+        }
+        std::vector<std::optional<Split>> splits(to_split.size());
+        std::vector<Work> work(to_split.size());
+        parallel_for(to_split.size(), [&](std::size_t i) {
+            splits[i] = best_split(setting_, transport_, state_, ElementId(to_split[i]), failing[to_split[i]], work[i]);
+        });
+        for (const Work &w : work)
+            state_.counters.work += w;
+        for (std::size_t i = 0; i < to_split.size(); ++i)
+            apply(ElementId(to_split[i]), splits[i]);
+        inherit_radiosity();
+        for (std::size_t e = 0; e < n; ++e)
+            hand_down(ElementId(e));
+    }
+
+    void apply(ElementId node, const std::optional<Split> &split) {
+        Forest &forest = state_.forest;
+        forest[node].at_limit = !split;
+        if (!split)
+            return;
+        if (split->cut)
+            cut(forest, node, *split->cut, state_.counters.iteration);
+        else
+            subdivide(forest, node, state_.counters.iteration);
+        ++state_.counters.splits;
+        state_.counters.cuts += split->cut.has_value();
+        if (!told_ || (split->cut && !told_cut_))
+            tell(node, *split);
+    }
+
+    void tell(ElementId node, const Split &split) {
+        const Element &e = state_.forest[node];
+        double worst = 0;
+        SurfaceId source;
+        for (std::size_t i = 0; i < judgements_[node.at()].size(); ++i)
+            if (judgements_[node.at()][i].misfit > worst) {
+                worst = judgements_[node.at()][i].misfit;
+                source = state_.interactions[node.at()][i]->source;
+            }
+        std::string how = "split in four";
+        if (split.curve) {
+            const Curve &curve = setting_.curves[split.curve->at()];
+            how = "cut along the " + std::string(name(curve.kind)) + " curve of " + surface_name(curve.source);
+            if (!curve.blockers.empty())
+                how += " and " + surface_name(curve.blockers.front());
+        }
+        const double percent = 100 * setting_.options.threshold;
+        told_ = surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " +
+                std::to_string(e.basis.order()) + " misses what " + surface_name(source) + " brings by " +
+                shorten(worst * percent) + " % of the peak > " + shorten(percent) + " %; " + how;
+        told_cut_ = split.cut.has_value();
+    }
+
+    std::string surface_name(SurfaceId s) const {
+        const std::string &n = scene_.surface(s).name;
+        return n.empty() ? "surface " + std::to_string(s.index) : n;
+    }
+
+    static std::string shorten(double x) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.2g", x);
+        return text;
+    }
+
+    /// New elements start with what their parent had, so that the change of an iteration is not their making.
+    void inherit_radiosity() {
+        const Forest &forest = state_.forest;
+        const Eigen::Index before = state_.radiosity.rows();
+        state_.radiosity.conservativeResize(forest.n_coefficients, 3);
+        state_.irradiance.conservativeResize(forest.n_coefficients, 3);
+        for (const Element &e : forest.elements)
+            if (e.first >= before) {
+                const Element &parent = forest[e.parent];
+                state_.radiosity.middleRows(e.first, e.basis.n_functions()) =
+                    e.filters->push * state_.radiosity.middleRows(parent.first, parent.basis.n_functions());
+                state_.irradiance.middleRows(e.first, e.basis.n_functions()).setZero();
+            }
+        state_.interactions.resize(forest.elements.size());
+    }
+
+    /// Failing interactions go to the children; those to be linked anew are asked for at the same node.
+    void hand_down(ElementId node) {
+        auto &here = state_.interactions[node.at()];
+        std::vector<std::shared_ptr<const Interaction>> kept;
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            const Judgement &j = judgements_[node.at()][i];
+            const bool at_limit = j.verdict == Verdict::fail && state_.forest[node].leaf();
+            const bool same_sources = j.sources.size() == here[i]->links.size();
+            if (j.verdict == Verdict::keep || (at_limit && same_sources))
+                kept.push_back(here[i]);
+            else if (j.verdict == Verdict::fail && !at_limit)
+                descend(node, *here[i], j);
+            else
+                requests_.push_back({node, here[i]->source, here[i]->blockers, j.sources, j.weak});
+        }
+        here = std::move(kept);
+    }
+
+    void descend(ElementId node, const Interaction &interaction, const Judgement &judgement) {
+        const Element &e = state_.forest[node];
+        for (int c = 0; c < e.n_children; ++c) {
+            const ElementId child(e.first_child.index + c);
+            // The first piece of a cut in two steps is cut already.
+            if (!state_.forest[child].leaf() && state_.forest[child].born == state_.counters.iteration)
+                descend(child, interaction, judgement);
+            else
+                requests_.push_back({child, interaction.source, interaction.blockers, judgement.sources, judgement.weak});
+        }
+    }
+
+    void request_new_pairs() {
+        for (std::size_t r = 0; r < scene_.surfaces.size(); ++r)
+            for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
+                if (r == s || state_.linked[r][s] || !scene_.reflects(SurfaceId(r)) || brightness_[s].maxCoeff() <= 0)
+                    continue;
+                state_.linked[r][s] = 1;
+                std::optional<std::vector<PairBlocker>> candidates;
+                for (const ElementId root : state_.forest.roots[r]) {
+                    const double factor = form_factor_bound(transport_, state_.forest[root], SurfaceId(s));
+                    if (factor <= 0)
+                        continue;
+                    if (!candidates)
+                        candidates = all_candidates(transport_, SurfaceId(r), SurfaceId(s));
+                    requests_.push_back({root, SurfaceId(s), *candidates, state_.forest.roots[s],
+                                         is_weak(root, SurfaceId(s), factor)});
+                }
+            }
+    }
+
+    void link() {
+        std::vector<std::shared_ptr<const Interaction>> made(requests_.size());
+        std::vector<Work> work(requests_.size());
+        parallel_for(requests_.size(), [&](std::size_t i) {
+            const Request &r = requests_[i];
+            made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources, r.weak, work[i]);
+        });
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            state_.counters.work += work[i];
+            if (!made[i]->links.empty())
+                state_.interactions[requests_[i].receiver.at()].push_back(std::move(made[i]));
+        }
+    }
+
+    void count() {
+        Counters &c = state_.counters;
+        c.patches = c.nodes_at_limit = 0;
+        c.coefficients = c.links = 0;
+        for (std::size_t e = 0; e < state_.forest.elements.size(); ++e) {
+            const Element &element = state_.forest.elements[e];
+            for (const auto &interaction : state_.interactions[e])
+                c.links += static_cast<std::int64_t>(interaction->links.size());
+            if (!element.leaf() || !scene_.reflects(element.surface))
+                continue;
+            ++c.patches;
+            c.coefficients += element.basis.n_functions();
+            c.nodes_at_limit += element.at_limit;
+        }
+        changed_ = !requests_.empty();
+        state_.sentence = told_ ? *told_ : changed_ ? "linked " + std::to_string(requests_.size()) + " pairs"
+                                                    : "every interaction passed the oracle: nothing to refine";
+        if (told_ && c.splits > 1)
+            state_.sentence += " (and " + std::to_string(c.splits - 1) + " more)";
+        c.refined = changed_;
+    }
+
+    const Setting &setting_;
+    State &state_;
+    const Scene &scene_;
+    Transport transport_;
+    double allowed_; ///< misfit that passes [W/m2]
+    std::vector<double> detail_;
+    std::vector<Rgb> brightness_;
+    std::vector<std::vector<Judgement>> judgements_; ///< as state.interactions
+    std::vector<Request> requests_;
+    std::optional<std::string> told_;
+    bool told_cut_ = false, changed_ = false;
+};
+
+} // namespace
+
+void refine(const Setting &setting, State &state, const Cancel *cancel) { Refinement(setting, state, cancel).run(); }
+
+} // namespace penumbra

@@ -1,0 +1,29 @@
+#include "iteration/snapshot.h"
+
+#include "basis/element_basis.h"
+
+namespace penumbra {
+
+std::string_view name(Phase phase) {
+    switch (phase) {
+    case Phase::start:
+        return "start";
+    case Phase::refined:
+        return "refine";
+    case Phase::gathered:
+        return "gather";
+    case Phase::pushed_pulled:
+        return "push-pull";
+    }
+    return "";
+}
+
+Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p) {
+    const BasisValues value = ElementBasis(patch.order, BilinearQuad{patch.corners}).evaluate(p);
+    Rgb sum = Rgb::Zero();
+    for (Eigen::Index k = 0; k < value.size(); ++k)
+        sum += value[k] * snapshot.coefficients[static_cast<std::size_t>(patch.first + k)];
+    return sum;
+}
+
+} // namespace penumbra

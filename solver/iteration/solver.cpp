@@ -1,0 +1,141 @@
+#include "iteration/solver.h"
+
+#include "core/parallel.h"
+#include "iteration/state.h"
+#include "iteration/take_snapshot.h"
+#include "measure/direct.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace penumbra {
+
+struct Solver::Parts {
+    Setting setting;
+    std::shared_ptr<const State> state;
+};
+
+namespace {
+
+std::shared_ptr<const State> first_state(const Setting &setting) {
+    auto state = std::make_shared<State>();
+    const Scene &scene = *setting.scene;
+    state->forest = plant(scene, setting.options.effective_order());
+    state->interactions.resize(state->forest.elements.size());
+    state->linked.assign(scene.surfaces.size(), std::vector<char>(scene.surfaces.size(), 0));
+    state->irradiance.setZero(state->forest.n_coefficients, 3);
+    push_pull(state->forest, scene, state->irradiance, state->radiosity);
+    for (int s = 0; s < scene.n_surfaces(); ++s)
+        if (scene.reflects(SurfaceId(s)))
+            state->counters.patches += static_cast<int>(state->forest.roots[static_cast<std::size_t>(s)].size());
+    const int n = setting.options.effective_order() * setting.options.effective_order();
+    state->counters.coefficients = state->counters.patches * n;
+    state->sentence = "only the emitters shine: nothing has been gathered yet";
+    return state;
+}
+
+double seconds_of(const auto &work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const Cancel *cancel)
+    : parts_(std::make_unique<Parts>()) {
+    Setting &setting = parts_->setting;
+    setting.scene = std::move(scene);
+    setting.options = options;
+    setting.blockers = std::make_unique<const Blockers>(*setting.scene);
+    if (cancel)
+        cancel->check();
+    setting.curves = trace_emitter_curves(*setting.scene);
+    setting.curves_on.resize(setting.scene->surfaces.size());
+    for (std::size_t c = 0; c < setting.curves.size(); ++c)
+        setting.curves_on[setting.curves[c].receiver.at()].push_back(c);
+    setting.drawn_curves = draw_curves(setting);
+    parts_->state = first_state(setting);
+}
+
+Solver::~Solver() = default;
+
+void Solver::sub_step(const Cancel *cancel) {
+    const Setting &setting = parts_->setting;
+    set_threads(setting.options.threads);
+    auto next = std::make_shared<State>(*parts_->state);
+    Counters &c = next->counters;
+    double seconds = 0;
+    switch (next->phase) {
+    case Phase::start:
+    case Phase::pushed_pulled: {
+        const Counters before = c;
+        c = {};
+        c.iteration = before.iteration + 1;
+        c.total_work = before.total_work;
+        c.seconds = before.seconds;
+        seconds = c.refine_s = seconds_of([&] { refine(setting, *next, cancel); });
+        c.total_work += c.work;
+        next->phase = Phase::refined;
+        break;
+    }
+    case Phase::refined:
+        seconds = c.gather_s = seconds_of([&] { gather(setting, *next, cancel); });
+        next->phase = Phase::gathered;
+        break;
+    case Phase::gathered:
+        seconds = c.push_pull_s = seconds_of([&] { push_pull(setting, *next); });
+        next->phase = Phase::pushed_pulled;
+        break;
+    }
+    c.seconds += seconds;
+    parts_->state = std::move(next);
+}
+
+void Solver::step(const Cancel *cancel) {
+    const auto before = parts_->state;
+    try {
+        do
+            sub_step(cancel);
+        while (phase() != Phase::pushed_pulled);
+    } catch (...) {
+        parts_->state = before;
+        throw;
+    }
+}
+
+bool Solver::run(const Cancel *cancel) {
+    while (!converged() && counters().iteration < options().max_iterations)
+        step(cancel);
+    return converged();
+}
+
+Phase Solver::phase() const { return parts_->state->phase; }
+const Counters &Solver::counters() const { return parts_->state->counters; }
+const Scene &Solver::scene() const { return *parts_->setting.scene; }
+const Options &Solver::options() const { return parts_->setting.options; }
+std::shared_ptr<const State> Solver::state() const { return parts_->state; }
+void Solver::restore(std::shared_ptr<const State> state) { parts_->state = std::move(state); }
+
+std::shared_ptr<const Snapshot> Solver::snapshot(bool with_error) const {
+    auto snapshot = take_snapshot(parts_->setting, *parts_->state);
+    if (with_error && has_one_bounce(scene()))
+        snapshot->error = direct_error(scene(), *parts_->setting.blockers, parts_->state->forest, parts_->state->radiosity);
+    return snapshot;
+}
+
+bool has_one_bounce(const Scene &scene) {
+    const auto in_front = [&](int s, int of) {
+        const PlaneFrame &plane = scene.surface(SurfaceId(of)).frame;
+        return std::ranges::any_of(scene.surface(SurfaceId(s)).corners,
+                                   [&](const Vec3 &x) { return plane.height(x) > 1e-12; });
+    };
+    for (int s = 0; s < scene.n_surfaces(); ++s)
+        for (int t = s + 1; t < scene.n_surfaces(); ++t)
+            if (scene.reflects(SurfaceId(s)) && scene.reflects(SurfaceId(t)) && in_front(s, t) && in_front(t, s))
+                return false;
+    return true;
+}
+
+} // namespace penumbra

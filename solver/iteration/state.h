@@ -1,0 +1,50 @@
+// Everything that a solution is, between two phases.
+#pragma once
+
+#include "core/counters.h"
+#include "discontinuity/curve.h"
+#include "hierarchy/push_pull.h"
+#include "iteration/snapshot.h"
+#include "transport/interaction.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace penumbra {
+
+/// What does not change from step to step: the scene with its blockers and its discontinuity curves.
+struct Setting {
+    std::shared_ptr<const Scene> scene;
+    Options options;
+    std::unique_ptr<const Blockers> blockers;
+    std::vector<Curve> curves;                        ///< of all emitters
+    std::vector<std::vector<std::size_t>> curves_on;  ///< by receiver surface: indices into curves
+    std::shared_ptr<const std::vector<SnapshotCurve>> drawn_curves;
+
+    const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
+};
+
+/// Immutable once a phase is complete. Interactions are shared with the states before and after.
+struct State {
+    Phase phase = Phase::start;
+    Counters counters;
+    Forest forest;
+    std::vector<std::vector<std::shared_ptr<const Interaction>>> interactions; ///< by receiver element
+    std::vector<std::vector<char>> linked; ///< [receiver surface][source surface]: its root pairs were dealt with
+    Coefficients irradiance;               ///< as gathered, at each level
+    Coefficients radiosity;                ///< at each level, the upper ones pulled from the leaves
+    double peak = 0;                       ///< largest reflected radiosity B - E, largest channel [W/m2]
+    std::string sentence;                  ///< what the last phase did
+};
+
+/// Each of the three phases takes the state before it and leaves the state after it; all can be cancelled.
+
+/// Links new pairs, tests all T_S with the oracle, splits the nodes that failed, and links their children.
+void refine(const Setting &setting, State &state, const Cancel *cancel);
+/// irradiance = sum over the links of K b, at the level of each link.
+void gather(const Setting &setting, State &state, const Cancel *cancel);
+/// Irradiance down to the leaves, radiosity up; the change, the peak and whether the iteration has converged.
+void push_pull(const Setting &setting, State &state);
+
+} // namespace penumbra

@@ -1,0 +1,84 @@
+#include "iteration/take_snapshot.h"
+
+#include <atomic>
+
+namespace penumbra {
+
+namespace {
+
+std::atomic<std::uint64_t> versions{0};
+
+SnapshotSurface surface_of(const Scene &scene, SurfaceId id) {
+    const Surface &s = scene.surface(id);
+    const double size = scene.own.size;
+    SnapshotSurface out{scene.own.to_own(s.frame.origin), s.frame.u, s.frame.v, s.frame.normal, {}, {},
+                        scene.reflectance(id), scene.exitance(id), s.name};
+    for (const Vec2 &p : s.outline)
+        out.outline.push_back(size * p);
+    for (const Polygon &cover : s.covers)
+        for (auto &polygon = out.covers.emplace_back(); const Vec2 &p : cover)
+            polygon.push_back(size * p);
+    return out;
+}
+
+int link_kind(PairKind kind) { return kind == PairKind::clear ? 0 : kind == PairKind::near ? 1 : 2; }
+
+} // namespace
+
+std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state) {
+    const Scene &scene = *setting.scene;
+    auto out = std::make_shared<Snapshot>();
+    out->version = ++versions;
+    out->scene = scene.name;
+    out->options = setting.options;
+    out->phase = state.phase;
+    out->counters = state.counters;
+    out->curves = setting.drawn_curves;
+    out->peak = state.peak;
+    out->sentence = state.sentence;
+    for (int s = 0; s < scene.n_surfaces(); ++s)
+        out->surfaces.push_back(surface_of(scene, SurfaceId(s)));
+    const auto centre = [&](ElementId e) {
+        const Element &element = state.forest[e];
+        return scene.own.to_own(scene.surface(element.surface).frame.to_space(element.basis.centre()));
+    };
+    for (std::size_t i = 0; i < state.forest.elements.size(); ++i) {
+        const Element &e = state.forest.elements[i];
+        for (const auto &interaction : state.interactions[i])
+            for (const Link &link : interaction->links)
+                out->links.push_back({centre(ElementId(i)), centre(link.source), link_kind(interaction->kind)});
+        if (!e.leaf())
+            continue;
+        SnapshotPatch patch;
+        patch.surface = e.surface.index;
+        patch.order = e.basis.order();
+        patch.first = static_cast<std::int32_t>(out->coefficients.size());
+        for (std::size_t c = 0; c < 4; ++c)
+            patch.corners[c] = scene.own.size * e.basis.quad().corners[c];
+        patch.sides = e.sides;
+        patch.depth = static_cast<float>(e.depth());
+        patch.fresh = e.born > 0 && e.born == state.counters.iteration;
+        patch.at_limit = e.at_limit;
+        for (int k = 0; k < e.basis.n_functions(); ++k)
+            out->coefficients.push_back(state.radiosity.row(e.first + k).transpose().array());
+        out->patches.push_back(patch);
+    }
+    return out;
+}
+
+std::shared_ptr<const std::vector<SnapshotCurve>> draw_curves(const Setting &setting) {
+    auto out = std::make_shared<std::vector<SnapshotCurve>>();
+    for (const Curve &curve : setting.curves) {
+        const PlaneFrame &frame = setting.scene->surface(curve.receiver).frame;
+        SnapshotCurve drawn{static_cast<std::int32_t>(curve.kind), curve.order, curve.source.index, curve.receiver.index,
+                            {}, {}};
+        for (const SurfaceId b : curve.blockers)
+            drawn.blockers.push_back(b.index);
+        for (const Vec2 &p : {curve.from, curve.to})
+            drawn.points.push_back(setting.scene->own.to_own(frame.to_space(p)));
+        out->push_back(std::move(drawn));
+    }
+    return out;
+}
+
+} // namespace penumbra

@@ -1,0 +1,88 @@
+#include "measure/direct.h"
+
+#include "core/parallel.h"
+#include "transport/lambert.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point) {
+    const Surface &surface = scene.surface(id);
+    Rgb irradiance = Rgb::Zero();
+    if (std::ranges::any_of(surface.covers, [&](const Polygon &c) { return contains(c, point); }))
+        return irradiance;
+    const Vec3 x = surface.frame.to_space(point);
+    std::vector<PairBlocker> others;
+    VisibleScratch scratch;
+    Work work;
+    for (int s = 0; s < scene.n_surfaces(); ++s) {
+        const Surface &source = scene.surface(SurfaceId(s));
+        if (s == id.index || !scene.emits(SurfaceId(s)) || source.frame.height(x) <= 0)
+            continue;
+        others.clear();
+        for (std::size_t b = 0; b < blockers.all().size(); ++b) {
+            const Blocker &blocker = blockers.all()[b];
+            const auto on = [&](const PlaneFrame &plane) {
+                return std::ranges::all_of(blocker.corners, [&](const Vec3 &c) { return plane.height(c) <= 1e-12; });
+            };
+            if (!on(surface.frame) && !on(source.frame)) // behind or in either plane nothing blocks
+                others.push_back({static_cast<int>(b), false});
+        }
+        scratch.hidden.cast(x, source.frame, blockers, others, work);
+        for (const Polygon &part : source.parts) {
+            ConvexPieces whole, rest;
+            whole.add(part);
+            for (const Polygon &cover : source.covers) {
+                subtract(whole, half_planes(cover), rest);
+                std::swap(whole, rest);
+            }
+            visible_part(x, surface.frame.normal, source.frame, whole, scratch.hidden, scratch);
+            for (std::size_t i = 0; i < scratch.pieces.size(); ++i)
+                irradiance += scene.exitance(SurfaceId(s)) *
+                              lambert(x, surface.frame.normal, source.frame, scratch.pieces[i]);
+        }
+    }
+    return scene.exitance(id) + scene.reflectance(id) * irradiance;
+}
+
+double direct_error(const Scene &scene, const Blockers &blockers, const Forest &forest, const Coefficients &radiosity) {
+    struct Sums {
+        double error = 0, reflected = 0;
+    };
+    std::vector<ElementId> leaves;
+    std::vector<double> root_area(forest.elements.size());
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+        if (!scene.reflects(SurfaceId(s)))
+            continue;
+        for (const ElementId root : forest.roots[s])
+            for_each_leaf(forest, root, [&](ElementId leaf) {
+                leaves.push_back(leaf);
+                root_area[leaf.at()] = forest[root].basis.area();
+            });
+    }
+    std::vector<Sums> sums(leaves.size());
+    parallel_for(leaves.size(), [&](std::size_t l) {
+        const Element &e = forest[leaves[l]];
+        const double share = std::sqrt(e.basis.area() / root_area[leaves[l].at()]);
+        const int n = std::max(3, static_cast<int>(std::ceil(160 * share)));
+        const auto b = radiosity.middleRows(e.first, e.basis.n_functions());
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const QuadraturePoint q = e.basis.at_parameters((i + 0.5) / n, (j + 0.5) / n);
+                const Rgb exact = direct_radiosity(scene, blockers, e.surface, q.position);
+                const Rgb ours = (e.basis.evaluate(q.position).transpose() * b).transpose().array();
+                sums[l].error += q.area / (n * n) * (ours - exact).square().sum();
+                sums[l].reflected += q.area / (n * n) * (exact - scene.exitance(e.surface)).square().sum();
+            }
+    });
+    Sums total;
+    for (const Sums &s : sums) {
+        total.error += s.error;
+        total.reflected += s.reflected;
+    }
+    return total.reflected > 0 ? std::sqrt(total.error / total.reflected) : 0;
+}
+
+} // namespace penumbra

@@ -1,0 +1,16 @@
+// The exact direct solution: what emitters bring to a point, each with its exact visible part.
+#pragma once
+
+#include "transport/interaction.h"
+
+namespace penumbra {
+
+/// B = E + rho sum over the emitters of E_S times Lambert's formula over what the point sees of S, at a point of a
+/// surface's plane [W/m2]. Independent of elements and links. Dark where the surface is covered.
+Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point);
+
+/// ||B_h - B|| / ||B - E|| in L2 over all reflecting surfaces and the three channels together, B the exact direct
+/// solution, at a grid of points in every leaf (about 160 x 160 a surface part, at least 3 x 3 a leaf).
+double direct_error(const Scene &scene, const Blockers &blockers, const Forest &forest, const Coefficients &radiosity);
+
+} // namespace penumbra

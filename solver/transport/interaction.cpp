@@ -1,0 +1,332 @@
+#include "transport/interaction.h"
+
+#include "transport/lambert.h"
+#include "transport/receiver_points.h"
+#include "transport/source_moments.h"
+#include "visibility/shaft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra {
+
+namespace {
+
+std::vector<Vec3> to_space(const PlaneFrame &frame, std::span<const Vec2> polygon) {
+    std::vector<Vec3> out;
+    for (const Vec2 &p : polygon)
+        out.push_back(frame.to_space(p));
+    return out;
+}
+
+/// The part of a polygon (all convex parts of a surface, or an element) in front of a plane, as the corners of its hull.
+Polygon in_front(std::span<const Polygon> parts, const PlaneFrame &own, const PlaneFrame &plane) {
+    const HalfPlane front{plane.normal.dot(own.u), plane.normal.dot(own.v), plane.height(own.origin)};
+    Polygon all, inside, outside;
+    for (const Polygon &part : parts) {
+        split(part, front, inside, outside);
+        all.insert(all.end(), inside.begin(), inside.end());
+    }
+    return parts.size() > 1 ? convex_hull(std::move(all)) : all;
+}
+
+/// Source node with what of it is not covered.
+struct SourceNode {
+    const Element &element;
+    ConvexPieces whole;
+    int n_columns;
+};
+
+SourceNode source_node(const Scene &scene, const Element &q) {
+    SourceNode node{q, {}, scene.reflects(q.surface) ? q.basis.n_functions() : 1};
+    node.whole.add(q.basis.outline());
+    for (const Polygon &cover : scene.surface(q.surface).covers) {
+        ConvexPieces rest;
+        subtract(node.whole, half_planes(cover), rest);
+        node.whole = std::move(rest);
+    }
+    return node;
+}
+
+bool covered(const Surface &surface, const Vec2 &p) {
+    return std::ranges::any_of(surface.covers, [&](const Polygon &cover) { return contains(cover, p); });
+}
+
+/// Where shadows fall on p: the centres of the blockers as seen from the source's centre (a shadow smaller than the
+/// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end).
+std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
+                                std::span<const PairBlocker> pair) {
+    constexpr std::size_t most = 24;
+    const PlaneFrame &frame = scene.surface(p.surface).frame;
+    const Polygon &outline = p.basis.outline();
+    std::vector<Vec2> found;
+    const auto project = [&](const Vec3 &from, const Vec3 &through) {
+        const double above = frame.height(from), between = frame.height(through);
+        if (between <= 0 || above <= between)
+            return;
+        const Vec2 at = frame.to_plane(from + (above / (above - between)) * (through - from));
+        if (contains(outline, at))
+            found.push_back(at);
+    };
+    const Vec3 centre = source.frame.to_space(centroid(source.outline));
+    for (const PairBlocker &b : pair) {
+        const auto &corners = blockers[b.blocker].corners;
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3 &c : corners)
+            middle += c / static_cast<double>(corners.size());
+        project(centre, middle);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
+            for (const Vec3 &from : source.corners) {
+                // The middle of what of this edge's shadow falls on the element.
+                Polygon line;
+                double low = 0, high = 1;
+                const double above = frame.height(from);
+                const double ha = above - frame.height(a), hc = above - frame.height(c);
+                if (ha <= 1e-9 || hc <= 1e-9 || frame.height(a) < 0 || frame.height(c) < 0)
+                    continue;
+                const Vec2 s = frame.to_plane(from + (above / ha) * (a - from));
+                const Vec2 t = frame.to_plane(from + (above / hc) * (c - from));
+                for (const HalfPlane &h : half_planes(outline)) {
+                    const double vs = h.value(s), vt = h.value(t);
+                    if (vs < 0 && vt < 0)
+                        high = -1;
+                    else if (vs < 0)
+                        low = std::max(low, vs / (vs - vt));
+                    else if (vt < 0)
+                        high = std::min(high, vs / (vs - vt));
+                }
+                if (low < high)
+                    found.push_back(s + (low + high) / 2 * (t - s));
+            }
+        }
+    }
+    if (found.size() <= most)
+        return found;
+    std::vector<Vec2> thinned;
+    for (std::size_t i = 0; i < most; ++i)
+        thinned.push_back(found[i * found.size() / most]);
+    return thinned;
+}
+
+/// T_j at receiver points, a block of columns for each source node.
+class PointTransfer {
+public:
+    PointTransfer(const Transport &transport, const Element &p, const Surface &source, std::span<const PairBlocker> pair,
+                  std::vector<SourceNode> nodes, Work &work)
+        : transport_(transport), receiver_(transport.scene.surface(p.surface)), source_(source), pair_(pair),
+          nodes_(std::move(nodes)), work_(work) {
+        for (const SourceNode &node : nodes_)
+            n_columns_ += node.n_columns;
+    }
+
+    int n_columns() const { return n_columns_; }
+    const std::vector<SourceNode> &nodes() const { return nodes_; }
+
+    /// Fills `row` (n_columns values) for the point.
+    void at(const Vec2 &point, std::span<double> row) {
+        if (transport_.cancel)
+            transport_.cancel->check();
+        std::ranges::fill(row, 0.0);
+        if (covered(receiver_, point))
+            return;
+        const Vec3 x = receiver_.frame.to_space(point);
+        const Vec3 &n = receiver_.frame.normal;
+        if (source_.frame.height(x) <= 0)
+            return;
+        scratch_.hidden.cast(x, source_.frame, transport_.blockers, pair_, work_);
+        std::size_t first = 0;
+        for (const SourceNode &node : nodes_) {
+            const auto count = static_cast<std::size_t>(node.n_columns);
+            visible_part(x, n, source_.frame, node.whole, scratch_.hidden, scratch_);
+            source_moments(x, n, source_.frame, node.element.basis, scratch_.pieces, transport_.accuracy,
+                           row.subspan(first, count), work_);
+            first += count;
+        }
+    }
+
+private:
+    const Transport &transport_;
+    const Surface &receiver_, &source_;
+    std::span<const PairBlocker> pair_;
+    std::vector<SourceNode> nodes_;
+    Work &work_;
+    VisibleScratch scratch_;
+    int n_columns_ = 0;
+};
+
+auto radiosity_of(const Forest &forest, const Link &link, const Coefficients &radiosity) {
+    return radiosity.middleRows(forest[link.source].first, link.kernel.cols());
+}
+
+} // namespace
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> Interaction::irradiance(const Forest &forest,
+                                                                const Coefficients &radiosity) const {
+    const int n = forest[receiver].basis.n_functions();
+    Eigen::Matrix<double, Eigen::Dynamic, 3> sum = Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(n, 3);
+    for (const Link &link : links)
+        sum.topRows(link.kernel.rows()) += link.kernel * radiosity_of(forest, link, radiosity);
+    return sum;
+}
+
+Rgb Interaction::largest_misfit(const Forest &forest, const Coefficients &radiosity) const {
+    if (links.empty() || links[0].misfit.rows() == 0)
+        return Rgb::Zero();
+    Eigen::Matrix<double, Eigen::Dynamic, 3> sum =
+        Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(links[0].misfit.rows(), 3);
+    for (const Link &link : links)
+        sum += link.misfit * radiosity_of(forest, link, radiosity);
+    return sum.cwiseAbs().colwise().maxCoeff().transpose().array();
+}
+
+double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source) {
+    const Surface &receiver = transport.scene.surface(p.surface), &s = transport.scene.surface(source);
+    double most = 0;
+    std::vector<Vec2> points = p.basis.outline();
+    points.push_back(p.basis.centre());
+    const Vec2 centre = p.basis.centre();
+    ConvexPieces whole, front;
+    for (const Polygon &part : s.parts)
+        whole.add(part);
+    for (const Vec2 &corner : points) {
+        const Vec3 x = receiver.frame.to_space(corner + 1e-3 * (centre - corner));
+        if (s.frame.height(x) <= 0)
+            continue;
+        const Vec3 &n = receiver.frame.normal;
+        clip(whole, {n.dot(s.frame.u), n.dot(s.frame.v), n.dot(s.frame.origin - x)}, front);
+        double sum = 0;
+        for (std::size_t i = 0; i < front.size(); ++i)
+            sum += lambert(x, n, s.frame, front[i]);
+        most = std::max(most, sum);
+    }
+    return most;
+}
+
+std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const SurfaceId s : {receiver, source})
+        for (const Vec3 &x : transport.scene.surface(s).corners) {
+            low = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+        }
+    std::vector<PairBlocker> out;
+    for (const int b : transport.blockers.near_box(low, high)) {
+        const SurfaceId s = transport.blockers[b].surface;
+        if (s != receiver && s != source)
+            out.push_back({b, false});
+    }
+    return out;
+}
+
+std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
+                                           SurfaceId source, std::span<const PairBlocker> candidates,
+                                           std::span<const ElementId> sources, bool weak, Work &work) {
+    const Element &p = forest[receiver];
+    const Surface &to = transport.scene.surface(p.surface), &from = transport.scene.surface(source);
+    auto out = std::make_shared<Interaction>();
+    out->receiver = receiver;
+    out->source = source;
+    out->weak = weak;
+    out->kind = PairKind::hidden;
+
+    const std::vector<Polygon> element{p.basis.outline()};
+    const Polygon p_front = in_front(element, to.frame, from.frame), s_front = in_front(from.parts, from.frame, to.frame);
+    if (p_front.size() < 3 || s_front.size() < 3)
+        return out;
+    const std::vector<Vec3> p_space = to_space(to.frame, p_front), s_space = to_space(from.frame, s_front);
+    const Shaft shaft(p_space, to.frame, s_space, from.frame);
+    for (PairBlocker b : candidates) {
+        const Blocker &blocker = transport.blockers[b.blocker];
+        if (shaft.misses(blocker.corners))
+            continue;
+        if (spans_shaft(blocker.corners, blocker.frame, p_space, s_space))
+            return out;
+        if (blocker.solid >= 0 && !b.front_only)
+            b.front_only = transport.blockers.outside(blocker.solid, p_space);
+        if (b.front_only &&
+            std::ranges::all_of(p_space, [&](const Vec3 &x) { return blocker.frame.height(x) <= 0; }))
+            continue;
+        out->blockers.push_back(b);
+    }
+
+    // Distance between the two, as a fraction of the smaller radius, decides on the receiver's rule.
+    double distance = std::numeric_limits<double>::infinity();
+    for (const Vec2 &corner : p.basis.outline()) {
+        const Vec3 x = to.frame.to_space(corner);
+        const Vec2 foot = from.frame.to_plane(x);
+        for (const Polygon &part : from.parts)
+            distance = std::min(distance, std::hypot(from.frame.height(x), (foot - nearest_point(part, foot)).norm()));
+    }
+    const double size = radius(p.basis.outline());
+    const bool near = distance < 0.25 * size;
+    out->kind = !out->blockers.empty() ? PairKind::partly_hidden : near ? PairKind::near : PairKind::clear;
+    out->form_factor = form_factor_bound(transport, p, source);
+
+    std::vector<SourceNode> nodes;
+    for (const ElementId q : sources) {
+        nodes.push_back(source_node(transport.scene, forest[q]));
+        if (weak)
+            nodes.back().n_columns = 1;
+    }
+    PointTransfer transfer(transport, p, from, out->blockers, std::move(nodes), work);
+    const Eigen::Index n_columns = transfer.n_columns();
+    const int order = p.basis.order();
+    const int n_rows = weak ? 1 : p.basis.n_functions();
+    const double digits = -std::log10(transport.accuracy);
+    const int n_points = weak ? 2 : near ? order + static_cast<int>(std::ceil(digits)) : order + 1 + static_cast<int>(digits / 4);
+
+    Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, n_columns);
+    Eigen::RowVectorXd row(n_columns);
+    const std::span<double> row_values(row.data(), static_cast<std::size_t>(n_columns));
+    for (const QuadraturePoint &q : projection_points(p.basis, n_points, near && !weak)) {
+        transfer.at(q.position, row_values);
+        kernel += q.inner * p.basis.evaluate(q.position).head(n_rows) * row;
+    }
+    Eigen::MatrixXd misfit(0, n_columns);
+    if (!weak) {
+        std::vector<Vec2> tests = test_points(p.basis);
+        const auto shadows = shadow_points(transport.scene, transport.blockers, p, from, out->blockers);
+        tests.insert(tests.end(), shadows.begin(), shadows.end());
+        misfit.resize(static_cast<Eigen::Index>(tests.size()), n_columns);
+        for (std::size_t c = 0; c < tests.size(); ++c) {
+            transfer.at(tests[c], row_values);
+            misfit.row(static_cast<Eigen::Index>(c)) = row - p.basis.evaluate(tests[c]).head(n_rows).transpose() * kernel;
+        }
+    }
+    Eigen::Index first = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const Eigen::Index count = transfer.nodes()[i].n_columns;
+        out->links.push_back({sources[i], kernel.middleCols(first, count), misfit.middleCols(first, count)});
+        first += count;
+    }
+    return out;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, const Forest &forest,
+                                                const Interaction &interaction, std::span<const Vec2> points,
+                                                const Coefficients &radiosity, Work &work) {
+    const Element &p = forest[interaction.receiver];
+    std::vector<SourceNode> nodes;
+    for (const Link &link : interaction.links)
+        nodes.push_back(source_node(transport.scene, forest[link.source]));
+    PointTransfer transfer(transport, p, transport.scene.surface(interaction.source), interaction.blockers,
+                           std::move(nodes), work);
+    Eigen::Matrix<double, Eigen::Dynamic, 3> out(static_cast<Eigen::Index>(points.size()), 3);
+    std::vector<double> row(static_cast<std::size_t>(transfer.n_columns()));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        transfer.at(points[i], row);
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        Eigen::Index first = 0;
+        for (const SourceNode &node : transfer.nodes()) {
+            const Eigen::Map<const Eigen::RowVectorXd> part(row.data() + first, node.n_columns);
+            sum += part * radiosity.middleRows(node.element.first, node.n_columns);
+            first += node.n_columns;
+        }
+        out.row(static_cast<Eigen::Index>(i)) = sum;
+    }
+    return out;
+}
+
+} // namespace penumbra

@@ -1,0 +1,67 @@
+// The transport from one input surface to one receiver element: its links.
+#pragma once
+
+#include "core/cancel.h"
+#include "hierarchy/push_pull.h"
+#include "visibility/visible_part.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace penumbra {
+
+/// How an element and a source see each other; decides how links are integrated (DESIGN section 3).
+enum class PairKind { clear, near, partly_hidden, hidden };
+
+/// A receiver node p and a source node q: K_ij = <N_i, integral over q of G V N_j dA>_p. Geometry only: no reflectance.
+struct Link {
+    ElementId source;
+    Eigen::MatrixXd kernel; ///< K: functions of p x columns; of a source whose higher coefficients are 0, one column
+    /// Rows: the interaction's test points x_c. T_j(x_c) - sum_i N_i(x_c) K_ij: what the fit of p misses.
+    Eigen::MatrixXd misfit;
+};
+
+/// All links of receiver element p from one input surface S; together they bring T_S. Immutable once made.
+struct Interaction {
+    ElementId receiver;
+    SurfaceId source;
+    PairKind kind = PairKind::clear;
+    /// Below its share of the error: a constant, from a few points, and not tested.
+    bool weak = false;
+    double form_factor = 0;            ///< unoccluded, largest over a few points of p: bounds what S can bring
+    std::vector<PairBlocker> blockers; ///< those that may stand between p and S
+    std::vector<Link> links;           ///< their sources tile S
+
+    /// T_S on p: coefficients of the irradiance in p's basis (functions x channels), with the present radiosity.
+    Eigen::Matrix<double, Eigen::Dynamic, 3> irradiance(const Forest &forest, const Coefficients &radiosity) const;
+    /// Largest |T_S - fit| over the test points for each channel [W/m2, before reflection].
+    Rgb largest_misfit(const Forest &forest, const Coefficients &radiosity) const;
+};
+
+/// What stays the same while links are made.
+struct Transport {
+    const Scene &scene;
+    const Blockers &blockers;
+    double accuracy = 1e-4; ///< of a link's coefficients, relative to K_00
+    const Cancel *cancel = nullptr;
+};
+
+/// The unoccluded form factor from p to S, the largest over corners and centre of p; 0 when neither faces the other.
+double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source);
+
+/// Classifies the pair and integrates its links. `candidates`: a superset of the blockers between them (those of a
+/// parent; `all_candidates` at a root). A hidden pair has no links. Cancellable.
+std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
+                                           SurfaceId source, std::span<const PairBlocker> candidates,
+                                           std::span<const ElementId> sources, bool weak, Work &work);
+
+/// Everything near the shaft between two surfaces, as proposed by the bounding-volume hierarchy.
+std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source);
+
+/// T_S at points of p (in its surface's plane), with the present radiosity: rows points, columns channels.
+Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, const Forest &forest,
+                                                const Interaction &interaction, std::span<const Vec2> points,
+                                                const Coefficients &radiosity, Work &work);
+
+} // namespace penumbra
