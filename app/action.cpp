@@ -224,7 +224,7 @@ bool is_enabled(const Action &action, const AppState &state) { return !action.en
 bool is_checked(const Action &action, const AppState &state) { return action.checked && action.checked(state); }
 
 bool run(const Action &action, AppState &state) {
-    if (!is_enabled(action, state))
+    if (state.inert || !is_enabled(action, state))
         return false;
     if (state.message.error)
         state.message = {};

@@ -64,7 +64,6 @@ struct AppState {
     bool halted = false;   ///< cancelled: nothing is computed until something is asked for again
     std::optional<Busy> busy;
     std::string opening;   ///< scene that is being read; empty: none
-    bool keep_view = false; ///< when the scene that is being read has come
 
     // How it is seen.
     Layout layout = Layout::single;
@@ -75,7 +74,9 @@ struct AppState {
                                        3}}};
     Look look;
     Camera camera;
-    bool camera_is_set = false; ///< false: the default view is taken with the next snapshot
+    bool camera_is_set = false; ///< false: the first view is taken with the next snapshot
+    bool camera_moved = false;  ///< by the user
+    double first_aspect = 1;    ///< pane_aspect that the first view was made for
     double pane_aspect = 1;     ///< width / height of a pane, in the last frame
     std::optional<Pick> under_cursor;
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins
@@ -85,6 +86,7 @@ struct AppState {
 
     // Window.
     std::vector<std::string> bundled_scenes; ///< names
+    bool inert = false; ///< for tests of the tests: actions do nothing
     bool panels_hidden = false, help_open = false, open_dialog = false, legend_hidden = false;
     std::string open_path; ///< in the dialog
     bool hint_done = false; ///< somebody has stepped: the hint has served

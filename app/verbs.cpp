@@ -170,8 +170,11 @@ void set_layout(AppState &state, Layout layout) {
 void reset_view(AppState &state) { state.camera_is_set = false; }
 
 void fit_view(AppState &state) {
-    if (const auto snapshot = state.snapshot(state.active_strategy()))
+    if (const auto snapshot = state.snapshot(state.active_strategy())) {
         state.camera = fit(state.camera, *snapshot, state.pane_aspect);
+        state.camera_moved = true;
+        state.pivot.reset();
+    }
 }
 
 void apply(AppState &state, const Report &report) {

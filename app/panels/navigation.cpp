@@ -23,17 +23,20 @@ glm::dvec3 point_under(const AppState &state, const Snapshot *snapshot, double a
 void orbit_by(AppState &state, double dx, double dy, double height) {
     // Half a turn for the height of the pane, as the hand expects of a ball that fills it.
     const double angle = std::numbers::pi / height;
+    state.camera_moved = true;
     state.camera = orbit(state.camera, -dx * angle, -dy * angle, state.orbit_pivot.value_or(state.camera.target));
 }
 
 void pan_by(AppState &state, double dx, double dy, double height) {
     const Camera before = state.camera;
+    state.camera_moved = true;
     state.camera = pan(before, dx, dy, height, state.drag_anchor.value_or(before.target));
     if (state.pivot)
         *state.pivot += state.camera.target - before.target;
 }
 
 void zoom_by(AppState &state, double notches, const glm::dvec3 &point) {
+    state.camera_moved = true;
     state.camera = zoom(state.camera, std::pow(0.87, notches), point);
 }
 

@@ -48,13 +48,14 @@ std::string key_word(int key, int scancode, int mods) {
     const bool sign = word.size() == 1 && !letter;
     if (sign && !(mods & GLFW_MOD_CONTROL))
         return {};
-    if ((mods & GLFW_MOD_SHIFT) && !sign)
-        word = "Shift+" + word;
-    if (mods & GLFW_MOD_ALT)
-        word = "Alt+" + word;
+    std::string modifiers;
     if (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER))
-        word = "Ctrl+" + word;
-    return word;
+        modifiers += "Ctrl+";
+    if (mods & GLFW_MOD_ALT)
+        modifiers += "Alt+";
+    if ((mods & GLFW_MOD_SHIFT) && !sign)
+        modifiers += "Shift+";
+    return modifiers.append(word);
 }
 
 std::string text_key(unsigned int codepoint) {

@@ -25,8 +25,20 @@ AppState first_state(const ViewerSetup &setup) {
     AppState state;
     state.options = setup.options;
     state.bundled_scenes = setup.bundled_scenes;
-    state.open_request = setup.scene;
+    state.scene = setup.scene;
+    state.inert = setup.inert;
+    state.pane_sets[0].strategies[0] = setup.options.strategy;
     return state;
+}
+
+/// The view that the scene's file asks for, from farther away in a pane too narrow for it; else one that shows all.
+Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect) {
+    if (!scene.view)
+        return default_view(snapshot, aspect, scene.up);
+    const auto vector = [](const Vec3 &v) { return glm::dvec3(v.x(), v.y(), v.z()); };
+    const Camera camera{vector(scene.view->eye), vector(scene.view->target), vector(scene.up), scene.view->fov_degrees};
+    constexpr double meant_for = 4.0 / 3;
+    return aspect < meant_for ? zoom(camera, meant_for / aspect, camera.target) : camera;
 }
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
@@ -111,10 +123,14 @@ double Viewer::wait_time() {
 
 void Viewer::set_first_view() {
     const auto snapshot = state_.snapshot(state_.active_strategy());
-    if (state_.camera_is_set || !snapshot || !state_.scene)
+    // A view that nobody has touched follows the pane's shape.
+    const bool fits = state_.camera_moved || std::abs(state_.pane_aspect / state_.first_aspect - 1) < 0.01;
+    if ((state_.camera_is_set && fits) || !snapshot || !state_.scene)
         return;
-    state_.camera = default_view(*snapshot, state_.pane_aspect, state_.scene->up);
+    state_.camera = first_view(*state_.scene, *snapshot, state_.pane_aspect);
+    state_.first_aspect = state_.pane_aspect;
     state_.camera_is_set = true;
+    state_.camera_moved = false;
     state_.pivot.reset();
 }
 

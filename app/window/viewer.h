@@ -9,6 +9,7 @@
 #include "window/pane_canvas.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,12 +17,13 @@
 namespace penumbra {
 
 struct ViewerSetup {
-    std::string scene = "figure-4";          ///< bundled name or file, opened first
+    std::shared_ptr<const Scene> scene;      ///< shown first
     std::vector<std::string> bundled_scenes; ///< names offered
     Options options;
     SolveWorker::ReadScene read_scene;
     int width = 1280, height = 800;          ///< of the window [screen coordinates]
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
+    bool inert = false;                      ///< for tests of the tests: actions do nothing
 };
 
 class Viewer {
