@@ -84,7 +84,8 @@ void draw_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, c
         return;
     const Range range = state.look.range.value_or(common_range(snapshots));
     const WindowRect &strip = arrangement.legend;
-    draw_line_legend(list, fonts, {strip.x + em(0.8f), strip.y + 0.4f * em()}, state.look, snapshots);
+    draw_line_legend(list, fonts, {strip.x + em(0.8f), strip.y + 0.4f * em()}, strip.width - em(1.6f), state.look,
+                     snapshots);
     const WindowRect &pane = arrangement.pane[state.layout == Layout::single ? 0 : 1];
     draw_colour_legend(list, fonts, {pane.x + pane.width - em(0.9f), pane.y + em(0.9f)},
                        std::min(em(14), 0.55f * pane.height), state.look, range);

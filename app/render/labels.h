@@ -32,6 +32,8 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag = "");
 /// [pixels].
 float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label,
                       Theme theme);
+/// The height it would have in a rectangle of this width.
+float pane_label_height(const Fonts &fonts, float width, const PaneLabel &label);
 
 /// Colour bar with ticks and unit, vertical, its upper right corner at `corner`. Returns its size.
 ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float bar_height, const Look &look,
@@ -40,9 +42,12 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
 ImVec2 draw_colour_legend_lying(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float width, const Look &look,
                                 const Range &range);
 
-/// Kinds of curves and of mesh lines that occur in the snapshots and are shown, on one line, its upper left corner at
-/// `corner`. Returns its size (zero when there is nothing to explain).
-ImVec2 draw_line_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const Look &look,
+/// Kinds of curves and of mesh lines that occur in the snapshots and are shown, in lines of at most `width` pixels from
+/// the upper left corner `corner`. Returns its size (zero when there is nothing to explain).
+ImVec2 draw_line_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float width, const Look &look,
+                        const std::vector<const Snapshot *> &snapshots);
+/// The size it would have.
+ImVec2 line_legend_size(const Fonts &fonts, float width, const Look &look,
                         const std::vector<const Snapshot *> &snapshots);
 
 /// What a radiosity looks like, as the surfaces pass shows it (grey for true colour): sRGB in [0, 1].

@@ -3,6 +3,8 @@
 
 #include "iteration/snapshot.h"
 
+#include <glm/glm.hpp>
+
 #include <optional>
 #include <span>
 #include <string_view>
@@ -29,6 +31,7 @@ struct Range {
 };
 
 enum class Theme { dark, light };
+glm::vec4 background_colour(Theme theme); ///< sRGB
 
 struct Look {
     Shading shading = Shading::polynomial;

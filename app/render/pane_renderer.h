@@ -33,6 +33,10 @@ public:
     void draw(const Camera &camera, const Look &look, const PixelRect &rect, int framebuffer_height,
               PixelScale pixel_scale = {});
 
+    /// Radiosity of what is seen [W/m2], as red, green and blue, with alpha 1 where there is a surface and 0 where
+    /// there is none; for a framebuffer of floats without multisampling.
+    void draw_values(const Camera &camera, Shading shading, const PixelRect &rect, int framebuffer_height);
+
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;

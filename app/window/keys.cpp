@@ -28,7 +28,7 @@ std::string_view named(int key) {
 
 std::string base_name(int key, int scancode) {
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
-        return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+        return std::string("F").append(std::to_string(key - GLFW_KEY_F1 + 1));
     if (const auto name = named(key); !name.empty())
         return std::string(name);
     const char *layout = glfwGetKeyName(key, scancode);
