@@ -64,25 +64,9 @@ double misfit(const Field &field, std::span<const BilinearQuad> quads, int order
     return sum;
 }
 
-/// The part of a curve inside a convex polygon, as a fraction of the element's size; 0 when it keeps out.
-double length_inside(const Curve &curve, std::span<const Vec2> convex) {
-    double low = 0, high = 1;
-    for (const HalfPlane &h : half_planes(convex)) {
-        const double a = h.value(curve.from), b = h.value(curve.to);
-        if (a <= 0 && b <= 0)
-            return 0;
-        if (a < 0)
-            low = std::max(low, a / (a - b));
-        else if (b < 0)
-            high = std::min(high, a / (a - b));
-    }
-    return std::max(0.0, high - low) * (curve.to - curve.from).norm() / radius(convex);
-}
-
 struct CurveCut {
     CurveId curve;
-    double length;
-    HalfPlane line;
+    double length; // inside the node
     CutPlan plan;
 };
 
@@ -90,26 +74,13 @@ std::vector<CurveCut> curve_cuts(const Setting &setting, const Element &node,
                                  std::span<const Interaction *const> failing) {
     std::vector<CurveCut> cuts;
     const Polygon &outline = node.basis.outline();
-    const Vec2 centre = node.basis.centre();
-    const double size = radius(outline);
-    for (const std::size_t c : setting.curves_on[node.surface.at()]) {
-        const Curve &curve = setting.curves[c];
-        if (std::ranges::none_of(failing, [&](const Interaction *i) { return i->source == curve.source; }))
+    for (const CurveSegment &segment : setting.curves.crossing(node.surface, outline)) {
+        const SurfaceId source = setting.curves.curve(segment.curve).source;
+        if (std::ranges::none_of(failing, [&](const Interaction *i) { return i->source == source; }))
             continue;
-        const double length = length_inside(curve, outline);
-        if (length <= 1e-6)
-            continue;
-        const Vec2 d = (curve.to - curve.from).normalized();
-        const HalfPlane line{-d.y(), d.x(), cross(curve.from, d)};
-        // Collinear pieces (of the parallel edges of a lamp and a blocker, say) make one cut.
-        const bool known = std::ranges::any_of(cuts, [&](const CurveCut &other) {
-            const double turn = std::abs(other.line.a * line.b - other.line.b * line.a);
-            return turn < 1e-9 && std::abs(std::abs(other.line.value(centre)) - std::abs(line.value(centre))) < 1e-9 * size;
-        });
-        if (known)
-            continue;
-        if (auto plan = plan_cut(node, line))
-            cuts.push_back({CurveId(c), length, line, std::move(*plan)});
+        const Vec2 d = (segment.to - segment.from).normalized();
+        if (auto plan = plan_cut(node, {-d.y(), d.x(), cross(segment.from, d)}))
+            cuts.push_back({segment.curve, (segment.to - segment.from).norm(), std::move(*plan)});
     }
     std::ranges::stable_sort(cuts, std::greater<>(), &CurveCut::length);
     if (cuts.size() > most_cuts)

@@ -37,7 +37,7 @@ class Refinement {
 public:
     Refinement(const Setting &setting, State &state, const Cancel *cancel)
         : setting_(setting), state_(state), scene_(*setting.scene),
-          transport_{*setting.scene, *setting.blockers, std::clamp(0.01 * setting.options.threshold, 1e-7, 1e-3), cancel},
+          transport_{*setting.scene, *setting.blockers, std::clamp(0.1 * setting.options.threshold, 1e-7, 1e-2), cancel},
           allowed_(setting.options.threshold * state.peak), detail_(dropped_detail(state.forest, state.radiosity)) {
         brightness_.resize(scene_.surfaces.size());
         for (std::size_t s = 0; s < brightness_.size(); ++s)
@@ -161,7 +161,7 @@ private:
             }
         std::string how = "split in four";
         if (split.curve) {
-            const Curve &curve = setting_.curves[split.curve->at()];
+            const Curve &curve = setting_.curves.curve(*split.curve);
             how = "cut along the " + std::string(name(curve.kind)) + " curve of " + surface_name(curve.source);
             if (!curve.blockers.empty())
                 how += " and " + surface_name(curve.blockers.front());

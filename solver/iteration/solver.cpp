@@ -1,6 +1,7 @@
 #include "iteration/solver.h"
 
 #include "core/parallel.h"
+#include "discontinuity/trace_curves.h"
 #include "iteration/state.h"
 #include "iteration/take_snapshot.h"
 #include "measure/direct.h"
@@ -51,10 +52,7 @@ Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const
     setting.blockers = std::make_unique<const Blockers>(*setting.scene);
     if (cancel)
         cancel->check();
-    setting.curves = trace_emitter_curves(*setting.scene);
-    setting.curves_on.resize(setting.scene->surfaces.size());
-    for (std::size_t c = 0; c < setting.curves.size(); ++c)
-        setting.curves_on[setting.curves[c].receiver.at()].push_back(c);
+    setting.curves = CurveIndex(trace_emitter_curves(*setting.scene, cancel), setting.scene->n_surfaces());
     setting.drawn_curves = draw_curves(setting);
     parts_->state = first_state(setting);
 }

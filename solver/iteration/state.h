@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/counters.h"
-#include "discontinuity/curve.h"
+#include "discontinuity/curve_index.h"
 #include "hierarchy/push_pull.h"
 #include "iteration/snapshot.h"
 #include "transport/interaction.h"
@@ -18,8 +18,7 @@ struct Setting {
     std::shared_ptr<const Scene> scene;
     Options options;
     std::unique_ptr<const Blockers> blockers;
-    std::vector<Curve> curves;                        ///< of all emitters
-    std::vector<std::vector<std::size_t>> curves_on;  ///< by receiver surface: indices into curves
+    CurveIndex curves; ///< of all emitters
     std::shared_ptr<const std::vector<SnapshotCurve>> drawn_curves;
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }

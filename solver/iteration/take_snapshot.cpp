@@ -68,7 +68,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
 
 std::shared_ptr<const std::vector<SnapshotCurve>> draw_curves(const Setting &setting) {
     auto out = std::make_shared<std::vector<SnapshotCurve>>();
-    for (const Curve &curve : setting.curves) {
+    for (const Curve &curve : setting.curves.curves()) {
         const PlaneFrame &frame = setting.scene->surface(curve.receiver).frame;
         SnapshotCurve drawn{static_cast<std::int32_t>(curve.kind), curve.order, curve.source.index, curve.receiver.index,
                             {}, {}};

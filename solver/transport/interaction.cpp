@@ -274,13 +274,15 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     const Eigen::Index n_columns = transfer.n_columns();
     const int order = p.basis.order();
     const int n_rows = weak ? 1 : p.basis.n_functions();
-    const double digits = -std::log10(transport.accuracy);
-    const int n_points = weak ? 2 : near ? order + static_cast<int>(std::ceil(digits)) : order + 1 + static_cast<int>(digits / 4);
+    // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a fit, more.
+    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(transport.accuracy))) - 3);
+    const int n_points = weak ? 2 : order + 1 + digits;
+    const int n_levels = near && !weak ? digits : 0;
 
     Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, n_columns);
     Eigen::RowVectorXd row(n_columns);
     const std::span<double> row_values(row.data(), static_cast<std::size_t>(n_columns));
-    for (const QuadraturePoint &q : projection_points(p.basis, n_points, near && !weak)) {
+    for (const QuadraturePoint &q : projection_points(p.basis, n_points, n_levels)) {
         transfer.at(q.position, row_values);
         kernel += q.inner * p.basis.evaluate(q.position).head(n_rows) * row;
     }

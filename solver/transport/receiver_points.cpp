@@ -2,21 +2,31 @@
 
 #include "basis/gauss.h"
 
+#include <algorithm>
 #include <array>
 
 namespace penumbra {
 
-std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n, bool graded) {
-    if (!graded)
+std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n, int levels) {
+    if (levels == 0)
         return basis.quadrature(n);
+    std::vector<double> borders{0, 1};
+    double width = 0.15;
+    for (int level = 0; level < levels; ++level, width *= 0.15) {
+        borders.push_back(width);
+        borders.push_back(1 - width);
+    }
+    std::ranges::sort(borders);
     const GaussRule &rule = gauss_rule(n);
     std::vector<double> at, weight;
-    for (std::size_t i = 0; i < rule.points.size(); ++i) {
-        const double s = rule.points[i], a = s * s * s, b = (1 - s) * (1 - s) * (1 - s);
-        at.push_back(a / (a + b));
-        weight.push_back(rule.weights[i] * 3 * s * s * (1 - s) * (1 - s) / ((a + b) * (a + b)));
-    }
+    for (std::size_t k = 0; k + 1 < borders.size(); ++k)
+        for (std::size_t i = 0; i < rule.points.size(); ++i) {
+            const double panel = borders[k + 1] - borders[k];
+            at.push_back(borders[k] + panel * rule.points[i]);
+            weight.push_back(panel * rule.weights[i]);
+        }
     std::vector<QuadraturePoint> points;
+    points.reserve(at.size() * at.size());
     for (std::size_t i = 0; i < at.size(); ++i)
         for (std::size_t j = 0; j < at.size(); ++j) {
             QuadraturePoint q = basis.at_parameters(at[i], at[j]);

@@ -7,10 +7,11 @@
 
 namespace penumbra {
 
-/// Projection points of an element for a transfer that is smooth on it: a tensor Gauss rule of n points a parameter.
-/// `graded`: the transfer is singular at the border (the source touches it or comes near): the same number of points,
-/// crowded towards both ends of each parameter by u = s^3 / (s^3 + (1-s)^3).
-std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n, bool graded);
+/// Projection points of an element: a tensor Gauss rule of n points a parameter, in 2 `levels` + 1 panels a parameter
+/// that shrink towards both ends by 0.15 a level. Without levels it integrates products of degree 2n - 1 exactly; levels
+/// are for a transfer that is singular at the border (the source touches it there: bounded, but of many values at the
+/// ends of the common edge).
+std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n, int levels);
 
 /// Points at which a fit is tested: corners, mid-sides, quarters and the centre, drawn in by 2 %; none of them a
 /// projection point.

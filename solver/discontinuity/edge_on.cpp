@@ -1,0 +1,143 @@
+#include "discontinuity/edge_on.h"
+
+#include "discontinuity/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Distance along the ray, in units of the direction, at which it first meets the figure; infinite when it does not.
+double first_hit(const Polygon &figure, const Vec2 &origin, const Vec2 &direction) {
+    double nearest = never;
+    for (std::size_t i = 0; i < figure.size(); ++i) {
+        const Vec2 a = figure[i] - origin, b = figure[(i + 1) % figure.size()] - origin;
+        const double side_a = cross(direction, a), side_b = cross(direction, b);
+        if ((side_a < 0) == (side_b < 0))
+            continue;
+        const double t = (a + side_a / (side_a - side_b) * (b - a)).dot(direction) / direction.squaredNorm();
+        if (t > 0)
+            nearest = std::min(nearest, t);
+    }
+    return nearest;
+}
+
+double first_hit(const std::vector<Polygon> &figures, const Vec2 &origin, const Vec2 &direction) {
+    double nearest = never;
+    for (const Polygon &figure : figures)
+        nearest = std::min(nearest, first_hit(figure, origin, direction));
+    return nearest;
+}
+
+std::vector<Vec2> points_of(const EdgeOnScene &scene) {
+    std::vector<Vec2> points;
+    for (const auto *figures : {&scene.targets, &scene.masks, &scene.blockers})
+        for (const Polygon &figure : *figures)
+            points.insert(points.end(), figure.begin(), figure.end());
+    return points;
+}
+
+bool sees(const EdgeOnScene &scene, const std::vector<Vec2> &points, const Vec2 &x) {
+    std::vector<double> angles;
+    for (const Vec2 &p : points)
+        angles.push_back(std::atan2(p.y(), p.x() - x.x()));
+    std::ranges::sort(angles);
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+        if (angles[i + 1] - angles[i] < coincidence)
+            continue;
+        const double angle = (angles[i] + angles[i + 1]) / 2;
+        const Vec2 direction(std::cos(angle), std::sin(angle));
+        const double target = first_hit(scene.targets, x, direction);
+        if (target < never && first_hit(scene.blockers, x, direction) >= target &&
+            (scene.masks.empty() || first_hit(scene.masks, x, direction) < target))
+            return true;
+    }
+    return false;
+}
+
+/// Pieces of the line between the points where the order of what is seen may change.
+IntervalSet pieces_that_see(const EdgeOnScene &scene, IntervalSet line) {
+    const std::vector<Vec2> points = points_of(scene);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = i + 1; j < points.size(); ++j)
+            if (const double rise = points[j].y() - points[i].y(); std::abs(rise) > coincidence)
+                line.split(points[i].x() - points[i].y() / rise * (points[j].x() - points[i].x()));
+    IntervalSet seeing;
+    for (const Interval &piece : line.intervals())
+        if (sees(scene, points, Vec2(piece.middle(), 0)))
+            seeing.unite(piece);
+    return seeing;
+}
+
+} // namespace
+
+std::optional<Wedge> plane_of(const Facet &facet, const PlaneFrame &receiver) {
+    // The widest corner in front of the receiver: its plane is the best conditioned.
+    const std::size_t n = facet.corners.size();
+    double widest = 0;
+    std::size_t best = n;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 &c = facet.corners[i];
+        const double width = (facet.corners[(i + 1) % n] - c).cross(facet.corners[(i + n - 1) % n] - c).norm();
+        if (receiver.height(c) > coincidence && width > widest) {
+            widest = width;
+            best = i;
+        }
+    }
+    if (best == n)
+        return std::nullopt;
+    return make_wedge(facet.corners[best], facet.corners[(best + 1) % n], facet.corners[(best + n - 1) % n], receiver);
+}
+
+Polygon flattened(const Wedge &plane, const std::vector<Vec3> &corners) {
+    const Vec3 up = plane.normal.cross(plane.along) *
+                    (plane.normal.cross(plane.along).dot(plane.receiver.normal) > 0 ? 1.0 : -1.0);
+    Polygon flat;
+    for (const Vec3 &c : corners)
+        flat.emplace_back((c - plane.foot).dot(plane.along), std::max(0.0, (c - plane.foot).dot(up)));
+    return flat;
+}
+
+EdgeOnScene edge_on_scene(const SourceView &view, const Wedge &plane, int front) {
+    EdgeOnScene scene;
+    for (const Facet &part : view.source_parts)
+        if (const Crossing c = cross_facet(plane, part); c.through() || c.along_edge())
+            scene.targets.push_back(flattened(plane, {c.p, c.q}));
+    Sweep bordering;
+    for (const Facet &facet : view.facets) {
+        if (std::abs(plane.height(facet.centre)) > facet.radius + coincidence)
+            continue;
+        const Crossing c = cross_facet(plane, facet);
+        if (c.through() || (c.along_edge() && (c.left ? 1 : -1) == front))
+            scene.blockers.push_back(flattened(plane, {c.p, c.q}));
+        else if (c.along_edge())
+            bordering.grazes.push_back({{}, c.p, c.q, c.left ? 1 : -1, facet.surface});
+    }
+    for (const Graze &one : bordering.grazes)
+        for (const Graze &other : bordering.grazes) {
+            if (one.side <= other.side || !on_line(one, other.p, other.q))
+                continue;
+            const Vec3 direction = (one.q - one.p).normalized();
+            const Interval common = overlap(between(0, (one.q - one.p).dot(direction)),
+                                            between((other.p - one.p).dot(direction), (other.q - one.p).dot(direction)));
+            if (!common.empty())
+                scene.blockers.push_back(
+                    flattened(plane, {one.p + common.low * direction, one.p + common.high * direction}));
+        }
+    return scene;
+}
+
+IntervalSet edge_on_sight(const EdgeOnScene &scene, IntervalSet line) {
+    if (scene.targets.empty())
+        return {};
+    // Most lines see no mask before a target at all: only the others pay for the blockers' many points.
+    line = pieces_that_see({scene.targets, scene.masks, {}}, std::move(line));
+    return scene.blockers.empty() || line.empty() ? line : pieces_that_see(scene, std::move(line));
+}
+
+} // namespace penumbra

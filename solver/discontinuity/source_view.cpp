@@ -1,0 +1,186 @@
+#include "discontinuity/source_view.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace penumbra {
+
+namespace {
+
+struct Lexicographic {
+    bool operator()(const Vec3 &p, const Vec3 &q) const {
+        return std::tuple(p.x(), p.y(), p.z()) < std::tuple(q.x(), q.y(), q.z());
+    }
+};
+
+/// Corners in space of a convex part. Parts are made of the outline's own corners, and only the surface's corners are
+/// shared to the last bit with its neighbours', so these are looked up rather than computed back from the plane.
+std::vector<Vec3> part_in_space(const Surface &surface, const Polygon &part) {
+    std::vector<Vec3> corners;
+    for (const Vec2 &p : part) {
+        const auto found = std::ranges::find(surface.outline, p);
+        corners.push_back(found == surface.outline.end()
+                              ? surface.frame.to_space(p)
+                              : surface.corners[static_cast<std::size_t>(found - surface.outline.begin())]);
+    }
+    return corners;
+}
+
+Facet make_facet(SurfaceId id, const Surface &surface, std::vector<Vec3> corners) {
+    Vec3 low = corners[0], high = corners[0];
+    for (const Vec3 &c : corners) {
+        low = low.cwiseMin(c);
+        high = high.cwiseMax(c);
+    }
+    return {id, std::move(corners), surface.frame.normal, (low + high) / 2, (high - low).norm() / 2};
+}
+
+/// Part of the edge in front of the plane; empty when nothing of it lies truly in front.
+Interval part_in_front(const SightEdge &edge, const PlaneFrame &plane) {
+    const double a = plane.height(edge.a), b = plane.height(edge.b);
+    if (std::max(a, b) <= coincidence)
+        return {0, 0};
+    if (std::min(a, b) >= -coincidence)
+        return {0, 1};
+    const double t = a / (a - b);
+    return a < b ? Interval{t, 1} : Interval{0, t};
+}
+
+/// Corners and edges of several surfaces, those that coincide taken once.
+class Outlines {
+public:
+    void add(const Surface &surface) {
+        const std::size_t n = surface.corners.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3 &a = surface.corners[i], &b = surface.corners[(i + 1) % n];
+            add_neighbour(a, b);
+            add_neighbour(b, a);
+        }
+    }
+    std::vector<SightCorner> corners() const {
+        std::vector<SightCorner> all;
+        for (const auto &[at, neighbours] : neighbours_)
+            all.push_back({at, neighbours});
+        return all;
+    }
+    std::vector<SightEdge> edges() const {
+        std::vector<SightEdge> all;
+        for (const auto &[at, neighbours] : neighbours_)
+            for (const Vec3 &other : neighbours)
+                if (Lexicographic{}(at, other))
+                    all.push_back({at, other, {0, 1}});
+        return all;
+    }
+
+private:
+    void add_neighbour(const Vec3 &at, const Vec3 &other) {
+        std::vector<Vec3> &all = neighbours_[at];
+        if (std::ranges::find(all, other) == all.end())
+            all.push_back(other);
+    }
+    std::map<Vec3, std::vector<Vec3>, Lexicographic> neighbours_;
+};
+
+bool behind(std::span<const Vec3> corners, const PlaneFrame &plane) {
+    return std::ranges::all_of(corners, [&](const Vec3 &c) { return plane.height(c) <= coincidence; });
+}
+
+} // namespace
+
+std::vector<Vec3> clip_to_front(std::vector<Vec3> polygon, const Vec3 &origin, const Vec3 &normal) {
+    std::vector<double> height;
+    bool any_front = false, any_behind = false;
+    for (const Vec3 &c : polygon) {
+        const double h = (c - origin).dot(normal);
+        height.push_back(std::abs(h) <= coincidence ? 0 : h);
+        any_front |= height.back() > 0;
+        any_behind |= height.back() < 0;
+    }
+    if (!any_front)
+        return {};
+    if (!any_behind)
+        return polygon;
+    std::vector<Vec3> front;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const std::size_t j = (i + 1) % polygon.size();
+        if (height[i] >= 0)
+            front.push_back(polygon[i]);
+        if ((height[i] > 0 && height[j] < 0) || (height[i] < 0 && height[j] > 0))
+            front.push_back(polygon[i] + height[i] / (height[i] - height[j]) * (polygon[j] - polygon[i]));
+    }
+    return front;
+}
+
+bool touches(const Facet &facet, const Vec3 &p) {
+    if ((p - facet.centre).squaredNorm() > (facet.radius + coincidence) * (facet.radius + coincidence) ||
+        std::abs((p - facet.corners[0]).dot(facet.normal)) > coincidence)
+        return false;
+    const std::size_t n = facet.corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 &a = facet.corners[i];
+        const Vec3 edge = facet.corners[(i + 1) % n] - a;
+        if (facet.normal.dot(edge.cross(p - a)) < -coincidence * edge.norm())
+            return false;
+    }
+    return true;
+}
+
+SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers) {
+    SourceView view;
+    view.source = source;
+    view.receiver = receiver;
+    const Surface &lamp = scene.surface(source), &wall = scene.surface(receiver);
+    view.source_plane = lamp.frame;
+    view.receiver_plane = wall.frame;
+    if (source == receiver || behind(wall.corners, lamp.frame) || behind(lamp.corners, wall.frame))
+        return view;
+
+    for (const Polygon &part : lamp.parts) {
+        std::vector<Vec3> corners =
+            clip_to_front(part_in_space(lamp, part), wall.frame.origin, wall.frame.normal);
+        if (!corners.empty())
+            view.source_parts.push_back(make_facet(source, lamp, std::move(corners)));
+    }
+    Outlines lamp_outline;
+    lamp_outline.add(lamp);
+    for (SightCorner &corner : lamp_outline.corners())
+        if (wall.frame.height(corner.at) > coincidence)
+            view.source_corners.push_back(std::move(corner));
+    for (SightEdge &edge : lamp_outline.edges()) {
+        edge.part = part_in_front(edge, wall.frame);
+        if (!edge.part.empty())
+            view.source_edges.push_back(edge);
+    }
+
+    Outlines outlines;
+    for (const SurfaceId id : blockers) {
+        const Surface &blocker = scene.surface(id);
+        if (id == source || id == receiver || behind(blocker.corners, lamp.frame) || behind(blocker.corners, wall.frame))
+            continue;
+        bool any = false;
+        for (const Polygon &part : blocker.parts) {
+            std::vector<Vec3> corners =
+                clip_to_front(part_in_space(blocker, part), lamp.frame.origin, lamp.frame.normal);
+            if (!corners.empty())
+                corners = clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal);
+            if (corners.empty())
+                continue;
+            view.facets.push_back(make_facet(id, blocker, std::move(corners)));
+            any = true;
+        }
+        if (any)
+            outlines.add(blocker);
+    }
+    for (SightCorner &corner : outlines.corners())
+        if (lamp.frame.height(corner.at) > coincidence && wall.frame.height(corner.at) > coincidence)
+            view.blocker_corners.push_back(std::move(corner));
+    for (SightEdge &edge : outlines.edges()) {
+        edge.part = overlap(part_in_front(edge, lamp.frame), part_in_front(edge, wall.frame));
+        if (!edge.part.empty())
+            view.blocker_edges.push_back(edge);
+    }
+    return view;
+}
+
+} // namespace penumbra

@@ -1,0 +1,68 @@
+// One source as one receiver may see it, past everything that could stand between: what critical surfaces are made of.
+#pragma once
+
+#include "core/ids.h"
+#include "core/vec.h"
+#include "discontinuity/interval_set.h"
+#include "scene/scene.h"
+
+#include <span>
+#include <vector>
+
+namespace penumbra {
+
+/// Points that lie closer than this are one point, and a point this close to a plane lies in it [solver units]. It
+/// absorbs the rounding of readers and of the scene's scaling; beyond it, sides are decided exactly.
+inline constexpr double coincidence = 1e-9;
+
+/// A convex part of a surface in space, cut to what counts: in front of the receiver and of the source.
+struct Facet {
+    SurfaceId surface;
+    std::vector<Vec3> corners; ///< counter-clockwise about the normal
+    Vec3 normal;               ///< unit
+    Vec3 centre;               ///< of the sphere about the corners
+    double radius = 0;
+};
+
+/// An edge with its full end points (sides are decided with these) and the part of it that counts.
+struct SightEdge {
+    Vec3 a, b;
+    Interval part; ///< of a + t (b - a), within [0, 1]
+
+    Vec3 point(double t) const { return a + t * (b - a); }
+    Vec3 from() const { return point(part.low); }
+    Vec3 to() const { return point(part.high); }
+};
+
+/// A corner, and the other ends of the edges that leave it.
+struct SightCorner {
+    Vec3 at;
+    std::vector<Vec3> neighbours;
+};
+
+struct SourceView {
+    SurfaceId source, receiver;
+    PlaneFrame source_plane, receiver_plane;
+    std::vector<Facet> source_parts;         ///< the source's convex parts in front of the receiver
+    std::vector<Facet> facets;               ///< of the blockers
+    std::vector<SightCorner> source_corners; ///< in front of the receiver's plane or in it
+    std::vector<SightEdge> source_edges;
+    std::vector<SightCorner> blocker_corners; ///< each once, however many faces meet there
+    std::vector<SightEdge> blocker_edges;     ///< each once, however many faces share it
+
+    bool empty() const { return source_parts.empty(); }
+};
+
+/// Collects what `source` and `blockers` (a superset of those that may block; the two surfaces themselves and those in
+/// their planes are left out) show to `receiver`. Empty when no point of the source lies in front of the receiver or
+/// none of the receiver in front of the source.
+SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers);
+
+/// Whether p lies in the facet or on its border, to within `coincidence`.
+bool touches(const Facet &facet, const Vec3 &p);
+
+/// The convex polygon's part where (x - origin) . normal >= 0. Corners within `coincidence` of the plane count as in
+/// it; empty when no corner lies truly in front.
+std::vector<Vec3> clip_to_front(std::vector<Vec3> polygon, const Vec3 &origin, const Vec3 &normal);
+
+} // namespace penumbra

@@ -1,0 +1,73 @@
+#include "discontinuity/trace_curves.h"
+
+#include "core/parallel.h"
+#include "discontinuity/merge_curves.h"
+#include "discontinuity/source_view.h"
+#include "discontinuity/trace_contacts.h"
+#include "discontinuity/trace_planes.h"
+#include "discontinuity/trace_wedges.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace penumbra {
+
+namespace {
+
+Eigen::AlignedBox3d box_of(const Surface &surface) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3 &c : surface.corners)
+        box.extend(c);
+    return box;
+}
+
+} // namespace
+
+std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId receiver,
+                                std::span<const SurfaceId> blockers) {
+    const SourceView view = source_view(scene, source, receiver, blockers);
+    if (view.empty())
+        return {};
+    std::vector<Curve> curves;
+    trace_source_corners(scene, view, curves);
+    trace_source_edges(scene, view, curves);
+    trace_planes(scene, view, curves);
+    trace_contacts(scene, view, curves);
+    return merge_curves(curves);
+}
+
+std::vector<SurfaceId> possible_blockers(const Scene &scene, SurfaceId source, SurfaceId receiver) {
+    Eigen::AlignedBox3d both = box_of(scene.surface(source));
+    both.extend(box_of(scene.surface(receiver)));
+    both.min().array() -= coincidence;
+    both.max().array() += coincidence;
+    std::vector<SurfaceId> blockers;
+    for (int s = 0; s < scene.n_surfaces(); ++s)
+        if (const SurfaceId id(s); id != source && id != receiver && both.intersects(box_of(scene.surface(id))))
+            blockers.push_back(id);
+    return blockers;
+}
+
+std::vector<Curve> trace_emitter_curves(const Scene &scene, const Cancel *cancel) {
+    std::vector<std::pair<SurfaceId, SurfaceId>> pairs;
+    for (int r = 0; r < scene.n_surfaces(); ++r)
+        for (int s = 0; s < scene.n_surfaces(); ++s)
+            if (r != s && scene.reflects(SurfaceId(r)) && scene.emits(SurfaceId(s)))
+                pairs.emplace_back(s, r);
+    std::vector<std::vector<Curve>> found(pairs.size());
+    parallel_for(pairs.size(), [&](std::size_t i) {
+        if (cancel)
+            cancel->check();
+        const auto [source, receiver] = pairs[i];
+        found[i] = trace_curves(scene, source, receiver, possible_blockers(scene, source, receiver));
+    });
+    std::vector<Curve> all;
+    for (std::vector<Curve> &curves : found)
+        std::ranges::move(curves, std::back_inserter(all));
+    return all;
+}
+
+} // namespace penumbra

@@ -1,0 +1,28 @@
+// The discontinuity curves of a scene's emitters.
+#pragma once
+
+#include "core/cancel.h"
+#include "discontinuity/curve.h"
+#include "scene/scene.h"
+
+#include <span>
+#include <vector>
+
+namespace penumbra {
+
+/// Curves that light from `source`, past `blockers`, throws on `receiver` (Heckbert 1992; Lischinski, Tampieri &
+/// Greenberg 1992; Drettakis & Fiume 1994): VE, EV, plane and contact, each only where it is real, those that coincide
+/// merged (merge_curves.h). `blockers` is a superset of the surfaces that may stand between the two; they block from
+/// both sides. Not here yet: events of two blockers seen one behind the other (VE, EV and EEE).
+/// tests/discontinuity checks them, both ways, against changes of the visible part found with no critical surface.
+std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId receiver,
+                                std::span<const SurfaceId> blockers);
+
+/// Curves of all emitters on all receivers that reflect, by receiver, then by source. Runs in parallel; the result does
+/// not depend on the number of threads. Throws Cancelled when `cancel` is raised.
+std::vector<Curve> trace_emitter_curves(const Scene &scene, const Cancel *cancel = nullptr);
+
+/// Surfaces that may stand between the two: those that reach into the box about both.
+std::vector<SurfaceId> possible_blockers(const Scene &scene, SurfaceId source, SurfaceId receiver);
+
+} // namespace penumbra
