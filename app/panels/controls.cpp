@@ -3,7 +3,6 @@
 #include "core/check.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace penumbra {
 
@@ -151,9 +150,9 @@ bool choice(AppState &state, std::string_view name, const char *text, bool on, c
 
 void heading(const char *text) {
     ImGui::Dummy({0, em(0.35f)});
-    std::string capitals(text);
-    std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return std::toupper(c); });
-    ImGui::TextDisabled("%s", capitals.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
 }
 
 void figure(const char *name, const std::string &value, const char *sentence) {
@@ -166,6 +165,13 @@ void figure(const char *name, const std::string &value, const char *sentence) {
     ImGui::EndGroup();
     if (sentence)
         tooltip(name, sentence);
+}
+
+void field_label(const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine(em(6.2f));
+    ImGui::SetNextItemWidth(-1);
 }
 
 ImGuiWindowFlags panel_flags() {

@@ -27,10 +27,12 @@ void action_check(AppState &state, std::string_view id, const char *text = nullp
 /// A button of a group of which one is on. Returns whether it was clicked.
 bool choice(AppState &state, std::string_view name, const char *text, bool on, const char *tooltip, ImVec2 size = {0, 0});
 
-/// A small heading in capitals, with space above.
+/// A small heading, with space above.
 void heading(const char *text);
 /// "patches        262": name on the left, value on the right of the present width.
 void figure(const char *name, const std::string &value, const char *tooltip = nullptr);
+/// A name on the left; the next item takes the rest of the line.
+void field_label(const char *text);
 /// What the mouse tells about the last item, after a moment's rest.
 void tooltip(const std::string &title, std::string_view sentence, std::string_view key = {});
 

@@ -28,8 +28,8 @@ void draw_shading(AppState &state) {
     action_button(state, "layers.linear", "Linear", {third, 0});
     action_check(state, "layers.false_colour");
     float ev = static_cast<float>(state.look.exposure_ev);
-    ImGui::SetNextItemWidth(-1);
-    if (ImGui::SliderFloat("##exposure", &ev, -6, 6, "exposure %+.1f EV"))
+    field_label("exposure");
+    if (ImGui::SliderFloat("##exposure", &ev, -6, 6, "%+.1f EV"))
         state.look.exposure_ev = ev;
     mark(state, "exposure");
     tooltip("Exposure", "Radiosity is multiplied by two to this power before it is shown, in all panes alike.", "E");
@@ -38,38 +38,47 @@ void draw_shading(AppState &state) {
 /// Sliders move freely; the solution starts anew when one is let go.
 void draw_options(AppState &state) {
     heading("Solution");
-    static constexpr float lowest = 1e-5f, highest = 0.5f;
+    static constexpr float lowest = 1e-3f, highest = 50; // percent
     ImGuiStorage &edited = *ImGui::GetStateStorage();
-    const auto slide = [&](const char *name, auto draw) {
-        ImGui::SetNextItemWidth(-1);
-        draw();
-        mark(state, name);
-        return ImGui::IsItemDeactivatedAfterEdit();
-    };
-    Options options = state.options;
-    const ImGuiID threshold_id = ImGui::GetID("threshold"), depth_id = ImGui::GetID("depth"),
-                  order_id = ImGui::GetID("order"), run_id = ImGui::GetID("run");
+    const ImGuiID run_id = ImGui::GetID("run"), threshold_id = ImGui::GetID("threshold"), depth_id = ImGui::GetID("depth");
     if (edited.GetInt(run_id, 0) != static_cast<int>(state.run)) {
         edited.SetInt(run_id, static_cast<int>(state.run));
-        edited.SetFloat(threshold_id, static_cast<float>(100 * options.threshold));
-        edited.SetInt(depth_id, options.max_depth);
-        edited.SetInt(order_id, options.order);
+        edited.SetFloat(threshold_id, static_cast<float>(100 * state.options.threshold));
+        edited.SetInt(depth_id, state.options.max_depth);
     }
-    bool done = slide("threshold", [&] {
-        ImGui::SliderFloat("##threshold", edited.GetFloatRef(threshold_id), 100 * lowest, 100 * highest,
-                           "threshold %.3g %%", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
-    });
-    tooltip("Threshold", "Largest misfit that is let pass, as a share of the largest reflected radiosity.");
-    done |= slide("depth", [&] { ImGui::SliderInt("##depth", edited.GetIntRef(depth_id), 0, 10, "depth limit %d"); });
-    tooltip("Depth limit", "How often a side of a surface may be halved; the paper allows 6.");
-    done |= slide("order", [&] { ImGui::SliderInt("##order", edited.GetIntRef(order_id), 1, 4, "order %d"); });
-    tooltip("Order", "Multiwavelet polynomials have a degree below this in each direction (M in the paper).");
-    if (!done)
-        return;
-    options.threshold = static_cast<double>(edited.GetFloat(threshold_id)) / 100;
-    options.max_depth = edited.GetInt(depth_id);
-    options.order = edited.GetInt(order_id);
-    set_options(state, options);
+    Options options = state.options;
+
+    field_label("threshold");
+    ImGui::SliderFloat("##threshold", edited.GetFloatRef(threshold_id), lowest, highest, "%.3g %%",
+                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    bool done = ImGui::IsItemDeactivatedAfterEdit();
+    mark(state, "threshold");
+    tooltip("Threshold", "Largest misfit that is let pass, as a share of the largest reflected radiosity. "
+                         "Another value starts the solution anew.");
+    field_label("depth limit");
+    ImGui::SliderInt("##depth", edited.GetIntRef(depth_id), 0, 10);
+    done |= ImGui::IsItemDeactivatedAfterEdit();
+    mark(state, "depth");
+    tooltip("Depth limit", "How often the sides of a surface may be halved; the paper allows 6.");
+    if (done) {
+        options.threshold = static_cast<double>(edited.GetFloat(threshold_id)) / 100;
+        options.max_depth = edited.GetInt(depth_id);
+    }
+
+    field_label("order M");
+    const float quarter = (ImGui::GetContentRegionAvail().x - 3) / 4;
+    for (int order = 1; order <= 4; ++order) {
+        if (order > 1)
+            ImGui::SameLine(0, 1);
+        const std::string text = std::to_string(order);
+        if (choice(state, "order " + text, text.c_str(), options.order == order,
+                   "Multiwavelet polynomials have a degree below this in each direction.", {quarter, 0})) {
+            done = done || options.order != order;
+            options.order = order;
+        }
+    }
+    if (done)
+        set_options(state, options);
 }
 
 void draw_figures(const AppState &state) {
@@ -108,11 +117,8 @@ void draw_cursor(const AppState &state) {
     figure("surface", surface.name.empty() ? std::to_string(pick.surface) : surface.name);
     if (pick.patch >= 0)
         figure("patch", count_words(pick.patch));
-    const auto channels = [](const Rgb &c) {
-        return number_words(c[0]) + "  " + number_words(c[1]) + "  " + number_words(c[2]);
-    };
-    figure("radiosity [W/m²]", channels(pick.radiosity), "Red, green, blue.");
-    figure("reflectance", channels(surface.reflectance), "Red, green, blue.");
+    figure("radiosity", rgb_words(pick.radiosity) + " W/m²", "Red, green, blue; one number where they are equal.");
+    figure("reflectance", rgb_words(surface.reflectance), "Red, green, blue; one number where they are equal.");
 }
 
 } // namespace

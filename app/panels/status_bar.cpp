@@ -11,12 +11,8 @@ namespace {
 
 std::string facts(const AppState &state) {
     std::string text;
-    if (state.under_cursor) {
-        const Rgb &b = state.under_cursor->radiosity;
-        text = (b[0] == b[1] && b[1] == b[2] ? number_words(b[0])
-                                             : number_words(b[0]) + " " + number_words(b[1]) + " " + number_words(b[2])) +
-               " W/m²   ";
-    }
+    if (state.under_cursor)
+        text = rgb_words(state.under_cursor->radiosity) + " W/m²   ";
     char exposure[32];
     std::snprintf(exposure, sizeof exposure, "%+.1f EV   ", state.look.exposure_ev);
     return text + exposure + position_words(state.position);

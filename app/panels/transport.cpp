@@ -32,7 +32,7 @@ void draw_course(AppState &state, float width) {
     const int n = std::max({last, std::min(state.position, last + phases_per_iteration), 2 * phases_per_iteration});
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = em(1.9f), r = 0.24f * em();
-    const float step = std::min(em(1.7f), (width - 4 * r) / static_cast<float>(n));
+    const float step = std::min(em(2.6f), (width - 4 * r) / static_cast<float>(n));
     ImGui::InvisibleButton("course", {std::max(width, 1.f), height});
     mark(state, "course");
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -77,8 +77,9 @@ void draw_work(AppState &state) {
         return;
     }
     float speed = static_cast<float>(state.phases_per_second);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5f * (em(1.9f) - ImGui::GetFrameHeight()));
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::SliderFloat("##speed", &speed, 0.25f, 20, "play %.3g phases/s", ImGuiSliderFlags_Logarithmic))
+    if (ImGui::SliderFloat("##speed", &speed, 0.25f, 20, "%.3g phases/s", ImGuiSliderFlags_Logarithmic))
         state.phases_per_second = speed;
     mark(state, "speed");
     tooltip("Speed of playing", "How many phases are shown in a second, at most.");
@@ -88,9 +89,10 @@ void draw_work(AppState &state) {
 
 void draw_transport(AppState &state, const WindowRect &rect) {
     begin_panel("transport", rect);
+    ImGui::SetCursorPosY(0.5f * (rect.height - em(1.9f)));
     draw_buttons(state);
     ImGui::SameLine(0, em(1.2f));
-    const float right = em(13), here = ImGui::GetCursorPosX();
+    const float right = em(12), here = ImGui::GetCursorPosX();
     draw_course(state, std::max(em(4), ImGui::GetWindowContentRegionMax().x - here - right - em(1)));
     ImGui::SameLine(0, em(1));
     draw_work(state);

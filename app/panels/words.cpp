@@ -29,6 +29,11 @@ std::string count_words(std::int64_t n) {
 
 std::string number_words(double x) { return print("%.3g", x); }
 
+std::string rgb_words(const Rgb &c) {
+    const std::string red = number_words(c[0]), green = number_words(c[1]), blue = number_words(c[2]);
+    return red == green && green == blue ? red : red + " " + green + " " + blue;
+}
+
 std::string seconds_words(double s) {
     if (s < 0.0995)
         return print("%.2g ms", 1e3 * s);

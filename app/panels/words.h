@@ -1,6 +1,8 @@
 // Numbers as the panels print them.
 #pragma once
 
+#include "core/vec.h"
+
 #include <cstdint>
 #include <string>
 
@@ -10,6 +12,8 @@ namespace penumbra {
 std::string count_words(std::int64_t n);
 /// Three significant digits.
 std::string number_words(double x);
+/// Red, green and blue, or the one number that they all are.
+std::string rgb_words(const Rgb &c);
 /// "12 ms", "1.24 s", "3 min 20 s".
 std::string seconds_words(double s);
 /// "iteration 2, gather"; "start".

@@ -49,7 +49,8 @@ void set_theme(Theme theme, float text_height) {
     c[ImGuiCol_ButtonActive] = on;
     c[ImGuiCol_Header] = on;
     c[ImGuiCol_HeaderHovered] = c[ImGuiCol_HeaderActive] = ramp.at(0.17f);
-    c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = accent;
+    c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrabActive] = accent;
+    c[ImGuiCol_SliderGrab] = ramp.at(0.38f);
     c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = ramp.at(0.09f);
     c[ImGuiCol_Separator] = ramp.at(0.15f);
     c[ImGuiCol_NavHighlight] = accent;
