@@ -1,7 +1,5 @@
 #include "commands/command.h"
 #include "commands/solving_options.h"
-#include "commands/terminal.h"
-#include "core/error.h"
 #include "scene/bundled.h"
 #include "window/viewer.h"
 

@@ -1,0 +1,28 @@
+// The record of a solution, as `penumbra solve` writes it.
+#pragma once
+
+#include "core/counters.h"
+#include "core/options.h"
+#include "iteration/snapshot.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace penumbra {
+
+struct Record {
+    std::string scene; ///< as it was asked for
+    Options options;
+    std::vector<Counters> iterations = {};
+    std::shared_ptr<const Snapshot> solution = nullptr; ///< none when it was interrupted before there was one
+};
+
+/// JSON as the contract has it; fields whose capability is still to come are null, and so are all of `final` without a
+/// solution.
+std::string to_json(const Record &record);
+
+/// Least radiosity of any channel at 5 x 5 points of each patch [W/m2].
+double least_radiosity(const Snapshot &snapshot);
+
+} // namespace penumbra
