@@ -39,7 +39,7 @@ void main() {
     bool at_end = corner == 1 || corner == 2 || corner == 4;
     float side = corner == 0 || corner == 1 || corner == 3 ? -1.0 : 1.0;
     float reach = half_width + 1.0;
-    vec2 offset = side * reach * vec2(-ahead.y, ahead.x) + (at_end ? half_width : -half_width) * ahead;
+    vec2 offset = side * reach * vec2(-ahead.y, ahead.x) + (at_end ? 0.5 : -0.5) * ahead;
     vec4 clip = at_end ? clip_b : clip_a;
     clip.xy += offset * 2.0 / viewport * clip.w;
     gl_Position = clip;

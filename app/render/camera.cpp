@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace penumbra {
@@ -38,8 +39,9 @@ std::vector<glm::dvec3> corners_to_show(const Snapshot &snapshot) {
     return lit.empty() ? all : lit;
 }
 
-/// Direction from the room's middle to its open side, or nothing where there is no ceiling.
-std::optional<glm::dvec3> open_side(const Snapshot &snapshot, const glm::dvec3 &up) {
+/// Direction from the room's middle to its open side, of several alike the one nearest to `front`; nothing where there
+/// is no ceiling.
+std::optional<glm::dvec3> open_side(const Snapshot &snapshot, const glm::dvec3 &up, const glm::dvec3 &front) {
     const std::vector<Back> back = backs(snapshot);
     struct Wall {
         glm::dvec3 inward;
@@ -65,9 +67,14 @@ std::optional<glm::dvec3> open_side(const Snapshot &snapshot, const glm::dvec3 &
     const auto closed = [&](const Wall &w) {
         return std::any_of(walls.begin(), walls.end(), [&](const Wall &o) { return glm::dot(w.inward, o.inward) < -0.9; });
     };
-    const Wall best = *std::max_element(walls.begin(), walls.end(), [&](const Wall &a, const Wall &b) {
-        return std::pair(!closed(a), a.size) < std::pair(!closed(b), b.size);
-    });
+    double largest = 0;
+    for (const Wall &w : walls)
+        largest = std::max(largest, w.size);
+    const auto worth = [&](const Wall &w) { // sizes that differ by a few percent count as alike
+        return std::tuple(!closed(w), std::round(16 * w.size / largest), glm::dot(w.inward, front));
+    };
+    const Wall best = *std::max_element(walls.begin(), walls.end(),
+                                        [&](const Wall &a, const Wall &b) { return worth(a) < worth(b); });
     return glm::normalize(best.inward - glm::dot(best.inward, up) * up);
 }
 
@@ -88,16 +95,16 @@ Camera default_view(const Snapshot &snapshot, double aspect, const Vec3 &up) {
     Camera camera;
     camera.up = glm::normalize(to_glm(up));
     camera.target = bounds(snapshot).centre();
-    if (const auto open = open_side(snapshot, camera.up)) {
+    const glm::dvec3 x = std::abs(camera.up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(x - glm::dot(x, camera.up) * camera.up);
+    const glm::dvec3 back = glm::cross(camera.up, right);
+    if (const auto open = open_side(snapshot, camera.up, -back)) {
         camera.fov_y = 36;
         camera.eye = camera.target + *open;
     } else {
         camera.fov_y = 28;
         // Off the axes of the usual floor, so that its sides lie slanting in the picture.
-        const double azimuth = glm::radians(-62.0), elevation = glm::radians(42.0);
-        const glm::dvec3 x = std::abs(camera.up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-        const glm::dvec3 right = glm::normalize(x - glm::dot(x, camera.up) * camera.up);
-        const glm::dvec3 back = glm::cross(camera.up, right);
+        const double azimuth = glm::radians(-68.0), elevation = glm::radians(50.0);
         camera.eye = camera.target + std::cos(elevation) * (std::cos(azimuth) * right + std::sin(azimuth) * back) +
                      std::sin(elevation) * camera.up;
     }

@@ -48,6 +48,8 @@ std::string three_digits(double x) {
 constexpr float line_height = 1.28f; // of the text height
 constexpr float padding = 0.6f;
 
+constexpr float footnote_size = 0.9f;
+
 } // namespace
 
 Fonts load_fonts(float size) {
@@ -83,7 +85,7 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
         label.figures.push_back(three_digits(c.seconds) + " s");
     label.footnote = snapshot.scene + ", " +
                      (c.iteration == 0 ? "before the first step"
-                                       : "step " + std::to_string(c.iteration) + ", " + std::string(name(snapshot.phase)));
+                                       : "step " + std::to_string(c.iteration) + ", after " + std::string(name(snapshot.phase)));
     return label;
 }
 
@@ -104,11 +106,13 @@ float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 h
         y += line_height * em;
         list.AddText(fonts.text, em, {x, y}, ink(theme), line.c_str());
     }
-    const float small = 0.85f * em;
-    if (!label.footnote.empty())
-        list.AddText(fonts.text, small, {x, high.y - padding * em - small}, ink(theme, 0.7f), label.footnote.c_str());
+    draw_footnote(list, fonts, {x, high.y - (padding + footnote_size) * em}, label, theme);
     list.PopClipRect();
     return pane_label_height(fonts, high.x - low.x, label);
+}
+
+void draw_footnote(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const PaneLabel &label, Theme theme) {
+    list.AddText(fonts.text, footnote_size * fonts.size, corner, ink(theme, 0.75f), label.footnote.c_str());
 }
 
 } // namespace penumbra

@@ -32,6 +32,8 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag = "");
 /// [pixels].
 float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label,
                       Theme theme);
+/// The footnote alone.
+void draw_footnote(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const PaneLabel &label, Theme theme);
 /// The height it would have in a rectangle of this width.
 float pane_label_height(const Fonts &fonts, float width, const PaneLabel &label);
 

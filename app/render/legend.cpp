@@ -23,14 +23,14 @@ ImVec2 size_of(const Fonts &fonts, float size, const std::string &text) {
     return fonts.text->CalcTextSizeA(size, 1e9f, 0, text.c_str());
 }
 
-/// Values at 1, 2 or 5 times a power of ten apart: about five of them.
-std::vector<double> ticks(const Range &range) {
+/// Values at 1, 2 or 5 times a power of ten apart, about n of them.
+std::vector<double> ticks(const Range &range, double n) {
     const double span = range.high - range.low;
     std::vector<double> values;
     if (!(span > 0) || !std::isfinite(span))
         return values;
-    const double power = std::pow(10.0, std::floor(std::log10(span / 5)));
-    const double ratio = span / 5 / power, step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+    const double power = std::pow(10.0, std::floor(std::log10(span / n)));
+    const double ratio = span / n / power, step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
     for (double k = std::ceil(range.low / step - 1e-9); k * step <= range.high + 1e-9 * span; ++k)
         values.push_back(k * step);
     return values;
@@ -80,7 +80,8 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
                           const Range &range) {
     const float em = fonts.size, bar = 0.9f * em, gap = 0.35f * em;
     float text_width = 0;
-    for (const double v : ticks(range))
+    const std::vector<double> marks = ticks(range, std::clamp(bar_height / (2.2f * em), 2.f, 6.f));
+    for (const double v : marks)
         text_width = std::max(text_width, size_of(fonts, em, tick_text(v, range)).x);
     const std::string head = heading(look);
     const float width = std::max(bar + 2 * gap + text_width, size_of(fonts, em, head).x);
@@ -91,7 +92,7 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
         return std::pair(ImVec2(left, y(i + 1)), ImVec2(right, y(i)));
     });
     list.AddRect({left, top}, {right, top + bar_height}, ink(look));
-    for (const double v : ticks(range)) {
+    for (const double v : marks) {
         const float y = top + bar_height * static_cast<float>(1 - (v - range.low) / (range.high - range.low));
         list.AddLine({right, y}, {right + gap, y}, ink(look));
         list.AddText(fonts.text, em, {right + 2 * gap, y - 0.5f * em}, ink(look), tick_text(v, range).c_str());
@@ -109,7 +110,7 @@ ImVec2 draw_colour_legend_lying(ImDrawList &list, const Fonts &fonts, ImVec2 cor
         return std::pair(ImVec2(x(i), top), ImVec2(x(i + 1), top + bar));
     });
     list.AddRect({left, top}, {left + width, top + bar}, ink(look));
-    for (const double v : ticks(range)) {
+    for (const double v : ticks(range, std::clamp(width / (5 * em), 2.f, 6.f))) {
         const float x = left + width * static_cast<float>((v - range.low) / (range.high - range.low));
         const std::string text = tick_text(v, range);
         const float text_width = size_of(fonts, em, text).x;

@@ -30,10 +30,8 @@ void LinePass::draw(const Frame &frame, const gl::TextureBuffer &segments, LineS
         LineStyles wide = styles;
         for (glm::vec4 &colour : wide.colours)
             colour = casing;
-        for (glm::vec4 &stroke : wide.strokes) {
-            stroke.y = 0;
-            stroke.w = 3 * frame.scale;
-        }
+        for (glm::vec4 &stroke : wide.strokes)
+            stroke.w = 2 * frame.scale;
         program_.set("colours", wide.colours);
         program_.set("strokes", wide.strokes);
         glDrawArrays(GL_TRIANGLES, 0, n_vertices);

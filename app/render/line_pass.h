@@ -20,8 +20,8 @@ class LinePass {
 public:
     LinePass();
     /// Blends `segments` (layout: shaders/line.vert) over what is there, hidden by what stands before them; surfaces'
-    /// records are on unit 0. With a `casing`, every line is first drawn in that colour, 1.5 pixels wider on each side
-    /// and without dashes, so that it stands out from any ground. `lift`: part of the way to the eye.
+    /// records are on unit 0. With a `casing`, every line is first drawn in that colour, a pixel wider on each side,
+    /// so that it stands out from any ground. `lift`: part of the way to the eye.
     void draw(const Frame &frame, const gl::TextureBuffer &segments, LineStyles styles, float lift,
               const glm::vec4 &casing = glm::vec4(0)) const;
 

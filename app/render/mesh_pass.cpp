@@ -28,7 +28,7 @@ void draw_outlines(const LinePass &lines, const Frame &frame, const GpuSnapshot 
     styles.set(styles::outline(SurfaceRole::reflector), dark ? glm::vec4(0.62, 0.66, 0.72, 0.55) : glm::vec4(0.2, 0.22, 0.26, 0.7), 1.f);
     styles.set(styles::outline(SurfaceRole::emitter), {0.95, 0.62, 0.1, 1}, 2.f);
     styles.set(styles::outline(SurfaceRole::blocker), dark ? glm::vec4(0.8, 0.83, 0.88, 0.9) : glm::vec4(0.1, 0.12, 0.16, 0.9), 1.5f);
-    lines.draw(frame, gpu.outlines, styles, 5e-4f);
+    lines.draw(frame, gpu.outlines, styles, 1.2e-3f);
 }
 
 } // namespace penumbra

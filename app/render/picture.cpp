@@ -21,7 +21,7 @@ struct Layout {
 float text_height(const PictureSpec &spec) {
     if (spec.text > 0)
         return static_cast<float>(spec.text);
-    return static_cast<float>(std::clamp(std::round(std::min(spec.width / (30.0 * spec.columns), spec.height / 38.0)), 11.0, 64.0));
+    return static_cast<float>(std::clamp(std::round(std::min(spec.width / (spec.columns > 1 ? 30.0 * spec.columns : 54), spec.height / 42.0)), 11.0, 64.0));
 }
 
 int n_rows(const PictureSpec &spec) { return (static_cast<int>(spec.panes.size()) + spec.columns - 1) / spec.columns; }
@@ -54,6 +54,13 @@ struct BoundFramebuffer {
     }
 };
 
+bool have_same_footnote(const PictureSpec &spec) {
+    for (const PicturePane &pane : spec.panes)
+        if (pane_label(*pane.snapshot).footnote != pane_label(*spec.panes.front().snapshot).footnote)
+            return false;
+    return true;
+}
+
 /// Heights of the parts that hold text, which depend on how the text breaks into lines.
 struct TextHeights {
     int legend = 0, label = 0;
@@ -69,7 +76,7 @@ TextHeights measure(const PictureSpec &spec, const Fonts &fonts, const std::vect
         }
     if (spec.legend) {
         const float lines = line_legend_size(fonts, 0.52f * static_cast<float>(spec.width), spec.look, snapshots).y;
-        heights.legend = static_cast<int>(std::ceil(std::max(3.6f * em, lines) + 1.0f * em));
+        heights.legend = static_cast<int>(std::ceil(std::max(5.1f * em, lines) + 0.7f * em));
     }
     return heights;
 }
@@ -77,9 +84,9 @@ TextHeights measure(const PictureSpec &spec, const Fonts &fonts, const std::vect
 } // namespace
 
 double pane_aspect(const PictureSpec &spec) {
-    // Text heights are estimated: two or three lines of label, three of legend.
+    // Text heights are estimated: two lines of label, four of legend.
     const float em = text_height(spec);
-    const Layout l = layout(spec, spec.legend ? static_cast<int>(4.6f * em) : 0, spec.labels ? static_cast<int>(4.6f * em) : 0);
+    const Layout l = layout(spec, spec.legend ? static_cast<int>(5.9f * em) : 0, spec.labels ? static_cast<int>(3.4f * em) : 0);
     return l.views.empty() ? 1 : l.views.front().aspect();
 }
 
@@ -114,10 +121,11 @@ Image draw_picture(const PictureSpec &spec) {
     const auto corner = [](const PixelRect &r) { return ImVec2(static_cast<float>(r.x), static_cast<float>(r.y)); };
     ImDrawList &list = overlay.list();
     const float em = overlay.fonts().size;
+    const bool same_footnote = spec.legend && have_same_footnote(spec);
     if (spec.labels)
         for (std::size_t i = 0; i < spec.panes.size(); ++i) {
             PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag);
-            if (i + 1 < spec.panes.size()) // once a picture is enough
+            if (same_footnote) // said once, with the legend
                 label.footnote.clear();
             const ImVec2 low = corner(l.cells[i]);
             const ImVec2 high(low.x + static_cast<float>(l.cells[i].width), low.y + static_cast<float>(l.cells[i].height));
@@ -126,7 +134,9 @@ Image draw_picture(const PictureSpec &spec) {
     if (spec.legend) {
         const ImVec2 at = corner(l.legend);
         const float bar_width = 0.34f * static_cast<float>(spec.width);
-        draw_colour_legend_lying(list, overlay.fonts(), {at.x + em, at.y + 0.4f * em}, bar_width, look, *look.range);
+        const float below = draw_colour_legend_lying(list, overlay.fonts(), {at.x + em, at.y + 0.4f * em}, bar_width, look, *look.range).y;
+        if (same_footnote && !spec.panes.empty())
+            draw_footnote(list, overlay.fonts(), {at.x + em, at.y + 0.6f * em + below}, pane_label(*snapshots.front()), look.theme);
         draw_line_legend(list, overlay.fonts(), {at.x + 0.43f * static_cast<float>(spec.width), at.y + 0.4f * em},
                          0.55f * static_cast<float>(spec.width), look, snapshots);
     }

@@ -70,7 +70,7 @@ struct Snapshot {
 
 /// Radiosity of a patch at its parameters u, v in [0,1].
 Rgb radiosity_at(const Snapshot &snapshot, const SnapshotPatch &patch, double u, double v);
-/// Radiosity of a patch at a point of its surface's plane; points outside the patch are taken to its border.
+/// Radiosity of a patch at a point of its surface's plane (inside the patch).
 Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p);
 
 } // namespace penumbra
