@@ -55,15 +55,16 @@ bool covered(const Surface &surface, const Vec2 &p) {
 
 /// Where shadows fall on p: the centres of the blockers as seen from the source's centre (a shadow smaller than the
 /// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end). Not on the
-/// source's plane: edges and corners in it throw lines along a common edge, where the transfer is a limit, not a value.
+/// element's border: where another surface touches it there, the transfer is a limit of what is inside, not a value.
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair) {
     constexpr std::size_t most = 24;
     const PlaneFrame &frame = scene.surface(p.surface).frame;
     const Polygon &outline = p.basis.outline();
     std::vector<Vec2> found;
+    const double border = 1e-6 * radius(outline);
     const auto keep = [&](const Vec2 &at) {
-        if (source.frame.height(frame.to_space(at)) > 1e-9)
+        if (contains(outline, at, -border))
             found.push_back(at);
     };
     const auto project = [&](const Vec3 &from, const Vec3 &through) {
@@ -71,8 +72,7 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
         if (between <= 0 || above <= between)
             return;
         const Vec2 at = frame.to_plane(from + (above / (above - between)) * (through - from));
-        if (contains(outline, at))
-            keep(at);
+        keep(at);
     };
     const Vec3 centre = source.frame.to_space(centroid(source.outline));
     for (const PairBlocker &b : pair) {
