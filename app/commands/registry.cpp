@@ -4,7 +4,7 @@ namespace penumbra {
 
 std::vector<Command> add_commands(CLI::App &root) {
     return {
-        add_pending(root, "view", "The viewer; FILE is a scene, a saved state, or a PNG that Penumbra wrote"),
+        add_view(root),
         add_solve(root),
         add_pending(root, "render", "A picture with no window"),
         add_pending(root, "paper", "The paper's figures 5 to 8 and its table"),

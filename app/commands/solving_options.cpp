@@ -54,6 +54,10 @@ void add_common_options(CLI::App &parser, CommonOptions &common, const std::stri
 
 void add_scene_options(CLI::App &parser, SolvingOptions &solving) {
     parser.add_option("SCENE", solving.scene, "An OBJ file, or the name of a bundled scene")->required();
+    add_up_option(parser, solving);
+}
+
+void add_up_option(CLI::App &parser, SolvingOptions &solving) {
     parser.add_option("--up", solving.up, "The scene's up axis: x, y or z")
         ->check(CLI::IsMember({"x", "y", "z"}))
         ->capture_default_str();

@@ -31,6 +31,9 @@ struct CommonOptions {
 /// -o, -q, -v; `output` is what -o names, for the help.
 void add_common_options(CLI::App &parser, CommonOptions &common, const std::string &output);
 
+/// --up.
+void add_up_option(CLI::App &parser, SolvingOptions &solving);
+
 /// The positional SCENE and --up.
 void add_scene_options(CLI::App &parser, SolvingOptions &solving);
 

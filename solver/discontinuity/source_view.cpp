@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
+#include <set>
+#include <utility>
 
 namespace penumbra {
 
 namespace {
 
-struct Lexicographic {
-    bool operator()(const Vec3 &p, const Vec3 &q) const {
-        return std::tuple(p.x(), p.y(), p.z()) < std::tuple(q.x(), q.y(), q.z());
-    }
-};
-
-/// Corners in space of a convex part. Parts are made of the outline's own corners, and only the surface's corners are
-/// shared to the last bit with its neighbours', so these are looked up rather than computed back from the plane.
+/// Corners in space of a convex part. Parts are made of the outline's own corners, so these are looked up
+/// rather than computed back from the plane.
 std::vector<Vec3> part_in_space(const Surface &surface, const Polygon &part) {
     std::vector<Vec3> corners;
     for (const Vec2 &p : part) {
@@ -47,39 +42,44 @@ Interval part_in_front(const SightEdge &edge, const PlaneFrame &plane) {
     return a < b ? Interval{t, 1} : Interval{0, t};
 }
 
-/// Corners and edges of several surfaces, those that coincide taken once.
+/// Corners and edges of several surfaces, those that coincide taken once: neighbouring faces agree on a corner only to
+/// within rounding.
 class Outlines {
 public:
     void add(const Surface &surface) {
-        const std::size_t n = surface.corners.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            const Vec3 &a = surface.corners[i], &b = surface.corners[(i + 1) % n];
-            add_neighbour(a, b);
-            add_neighbour(b, a);
+        std::vector<std::size_t> ids;
+        for (const Vec3 &c : surface.corners)
+            ids.push_back(id_of(c));
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const std::size_t a = ids[i], b = ids[(i + 1) % ids.size()];
+            if (a != b && edges_.insert(std::minmax(a, b)).second) {
+                corners_[a].neighbours.push_back(corners_[b].at);
+                corners_[b].neighbours.push_back(corners_[a].at);
+            }
         }
     }
-    std::vector<SightCorner> corners() const {
-        std::vector<SightCorner> all;
-        for (const auto &[at, neighbours] : neighbours_)
-            all.push_back({at, neighbours});
-        return all;
-    }
+    const std::vector<SightCorner> &corners() const { return corners_; }
     std::vector<SightEdge> edges() const {
         std::vector<SightEdge> all;
-        for (const auto &[at, neighbours] : neighbours_)
-            for (const Vec3 &other : neighbours)
-                if (Lexicographic{}(at, other))
-                    all.push_back({at, other, {0, 1}});
+        for (const auto &[a, b] : edges_)
+            all.push_back({corners_[a].at, corners_[b].at, {0, 1}});
         return all;
     }
 
 private:
-    void add_neighbour(const Vec3 &at, const Vec3 &other) {
-        std::vector<Vec3> &all = neighbours_[at];
-        if (std::ranges::find(all, other) == all.end())
-            all.push_back(other);
+    std::size_t id_of(const Vec3 &corner) {
+        // A direction that no building is aligned with: hardly any two corners share a key unless they coincide.
+        const double key = corner.dot(Vec3(0.5377, 0.2231, 0.8132));
+        for (auto near = ids_.lower_bound(key - coincidence); near != ids_.end() && near->first <= key + coincidence; ++near)
+            if ((corners_[near->second].at - corner).norm() <= coincidence)
+                return near->second;
+        ids_.emplace(key, corners_.size());
+        corners_.push_back({corner, {}});
+        return corners_.size() - 1;
     }
-    std::map<Vec3, std::vector<Vec3>, Lexicographic> neighbours_;
+    std::vector<SightCorner> corners_;
+    std::multimap<double, std::size_t> ids_;
+    std::set<std::pair<std::size_t, std::size_t>> edges_;
 };
 
 bool behind(std::span<const Vec3> corners, const PlaneFrame &plane) {
@@ -144,9 +144,9 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
     }
     Outlines lamp_outline;
     lamp_outline.add(lamp);
-    for (SightCorner &corner : lamp_outline.corners())
+    for (const SightCorner &corner : lamp_outline.corners())
         if (wall.frame.height(corner.at) > coincidence)
-            view.source_corners.push_back(std::move(corner));
+            view.source_corners.push_back(corner);
     for (SightEdge &edge : lamp_outline.edges()) {
         edge.part = part_in_front(edge, wall.frame);
         if (!edge.part.empty())
@@ -172,9 +172,9 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
         if (any)
             outlines.add(blocker);
     }
-    for (SightCorner &corner : outlines.corners())
+    for (const SightCorner &corner : outlines.corners())
         if (lamp.frame.height(corner.at) > coincidence && wall.frame.height(corner.at) > coincidence)
-            view.blocker_corners.push_back(std::move(corner));
+            view.blocker_corners.push_back(corner);
     for (SightEdge &edge : outlines.edges()) {
         edge.part = overlap(part_in_front(edge, lamp.frame), part_in_front(edge, wall.frame));
         if (!edge.part.empty())

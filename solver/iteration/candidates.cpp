@@ -9,23 +9,48 @@ namespace penumbra {
 
 namespace {
 
-constexpr int grid = 12;              // samples a parameter
+constexpr int grid = 12, small_grid = 6; // samples a parameter: of the node, and of a small piece that a cut makes
+constexpr double small = 0.25;           // of the node's area
 constexpr std::size_t most_cuts = 24; // of one node that are scored, the longest first
 
 using Samples = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-/// Reflected radiosity that the failing sources bring to points of the node.
+/// Reflected radiosity that the failing sources bring to points of the node, each with the area it stands for.
 struct Field {
     std::vector<Vec2> points;
+    std::vector<double> areas;
     Samples values;
 };
 
+/// A grid over the node and one over every small piece that a cut would make, so that a narrow penumbra is seen. Where
+/// grids overlap a point stands for the inverse of their densities' sum.
 Field sample_field(const Setting &setting, const Transport &transport, const State &state, const Element &node,
-                   std::span<const Interaction *const> failing, Work &work) {
+                   std::span<const Interaction *const> failing, std::span<const BilinearQuad> small_pieces, Work &work) {
+    struct Grid {
+        BilinearQuad quad;
+        Polygon outline;
+        int n;
+        double density(const Vec2 &p) const {
+            if (!contains(outline, p))
+                return 0;
+            const Vec2 uv = quad.inverse(p);
+            return n * n / std::max(quad.jacobian(uv.x(), uv.y()), 1e-300);
+        }
+    };
+    std::vector<Grid> grids{{node.basis.quad(), node.basis.outline(), grid}};
+    for (const BilinearQuad &piece : small_pieces)
+        grids.push_back({piece, piece.outline(), small_grid});
     Field field;
-    for (int i = 0; i < grid; ++i)
-        for (int j = 0; j < grid; ++j)
-            field.points.push_back(node.basis.quad().at((i + 0.5) / grid, (j + 0.5) / grid));
+    for (const Grid &g : grids)
+        for (int i = 0; i < g.n; ++i)
+            for (int j = 0; j < g.n; ++j) {
+                const Vec2 p = g.quad.at((i + 0.5) / g.n, (j + 0.5) / g.n);
+                double density = 0;
+                for (const Grid &other : grids)
+                    density += other.density(p);
+                field.points.push_back(p);
+                field.areas.push_back(1 / density);
+            }
     field.values = Samples::Zero(static_cast<Eigen::Index>(field.points.size()), 3);
     for (const Interaction *interaction : failing)
         field.values += sample(transport, state.forest, *interaction, field.points, state.radiosity, work);
@@ -33,8 +58,8 @@ Field sample_field(const Setting &setting, const Transport &transport, const Sta
     return field;
 }
 
-/// Squared error of the least-squares fit over the samples inside the quad. With few samples the degree is lowered so
-/// that there are at least two samples a coefficient: a fit through all points would show nothing.
+/// Squared error of the least-squares fit over the quad. With few samples the degree is lowered so that there are at
+/// least two samples a coefficient: a fit through all points would show nothing.
 double misfit(const Field &field, const BilinearQuad &quad, int order) {
     const Polygon outline = quad.outline();
     std::vector<Eigen::Index> inside;
@@ -49,9 +74,10 @@ double misfit(const Field &field, const BilinearQuad &quad, int order) {
     Eigen::MatrixXd a(static_cast<Eigen::Index>(inside.size()), basis.n_functions());
     Samples values(a.rows(), 3);
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
-        const Eigen::Index from = inside[static_cast<std::size_t>(i)];
-        a.row(i) = basis.evaluate(field.points[static_cast<std::size_t>(from)]).transpose();
-        values.row(i) = field.values.row(from);
+        const auto from = static_cast<std::size_t>(inside[static_cast<std::size_t>(i)]);
+        const double weight = std::sqrt(field.areas[from]);
+        a.row(i) = weight * basis.evaluate(field.points[from]).transpose();
+        values.row(i) = weight * field.values.row(static_cast<Eigen::Index>(from));
     }
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
     return (values - a * qr.solve(values)).squaredNorm();
@@ -103,7 +129,12 @@ std::optional<Split> best_split(const Setting &setting, const Transport &transpo
         return Split{cuts[0].plan, cuts[0].curve, 0};
 
     const int order = node.basis.order();
-    const Field field = sample_field(setting, transport, state, node, failing, work);
+    std::vector<BilinearQuad> small_pieces;
+    for (const CurveCut &candidate : cuts)
+        for (const BilinearQuad &piece : candidate.plan.leaves())
+            if (piece.area() < small * node.basis.area())
+                small_pieces.push_back(piece);
+    const Field field = sample_field(setting, transport, state, node, failing, small_pieces, work);
     const double now = misfit(field, node.basis.quad(), order);
     const auto score = [&](std::span<const BilinearQuad> children) {
         const double added = static_cast<double>((children.size() - 1) * static_cast<std::size_t>(order * order));
