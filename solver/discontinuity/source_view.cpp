@@ -70,7 +70,8 @@ private:
     std::size_t id_of(const Vec3 &corner) {
         // A direction that no building is aligned with: hardly any two corners share a key unless they coincide.
         const double key = corner.dot(Vec3(0.5377, 0.2231, 0.8132));
-        for (auto near = ids_.lower_bound(key - coincidence); near != ids_.end() && near->first <= key + coincidence; ++near)
+        for (auto near = ids_.lower_bound(key - coincidence); near != ids_.end() && near->first <= key + coincidence;
+             ++near)
             if ((corners_[near->second].at - corner).norm() <= coincidence)
                 return near->second;
         ids_.emplace(key, corners_.size());
@@ -137,8 +138,7 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
         return view;
 
     for (const Polygon &part : lamp.parts) {
-        std::vector<Vec3> corners =
-            clip_to_front(part_in_space(lamp, part), wall.frame.origin, wall.frame.normal);
+        std::vector<Vec3> corners = clip_to_front(part_in_space(lamp, part), wall.frame.origin, wall.frame.normal);
         if (!corners.empty())
             view.source_parts.push_back(make_facet(source, lamp, std::move(corners)));
     }
@@ -156,7 +156,8 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
     Outlines outlines;
     for (const SurfaceId id : blockers) {
         const Surface &blocker = scene.surface(id);
-        if (id == source || id == receiver || behind(blocker.corners, lamp.frame) || behind(blocker.corners, wall.frame))
+        if (id == source || id == receiver || behind(blocker.corners, lamp.frame) ||
+            behind(blocker.corners, wall.frame))
             continue;
         bool any = false;
         for (const Polygon &part : blocker.parts) {

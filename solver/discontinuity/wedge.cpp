@@ -13,9 +13,7 @@ namespace {
 constexpr double level = 1e-13;
 } // namespace
 
-int Wedge::side(const Vec3 &q) const {
-    return std::abs(height(q)) <= coincidence ? 0 : orientation(apex, a, b, q);
-}
+int Wedge::side(const Vec3 &q) const { return std::abs(height(q)) <= coincidence ? 0 : orientation(apex, a, b, q); }
 
 double Wedge::parameter(const Vec3 &q) const {
     double drop = apex_height - receiver.height(q);

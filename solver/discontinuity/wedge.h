@@ -12,8 +12,8 @@ namespace penumbra {
 /// Lines of sight through `apex` meet the receiver in the line foot + s along. A point q of the plane below the apex'
 /// height is seen in front of the apex' far side, one above it through the apex; both have one s.
 struct Wedge {
-    Vec3 apex, a, b;        ///< the corner, and two points of the edge
-    Vec3 normal;            ///< unit, along (a - apex) x (b - apex)
+    Vec3 apex, a, b; ///< the corner, and two points of the edge
+    Vec3 normal;     ///< unit, along (a - apex) x (b - apex)
     PlaneFrame receiver;
     double apex_height = 0; ///< over the receiver, positive
     Vec3 foot, along;       ///< unit
@@ -30,7 +30,8 @@ struct Wedge {
     Interval above(const Vec3 &p, const Vec3 &q) const;
 };
 
-/// None when the corner lies on the edge's line, or the plane does not cross the receiver's, or the apex is not in front.
+/// None when the corner lies on the edge's line, or the plane does not cross the receiver's, or the apex is not in
+/// front.
 std::optional<Wedge> make_wedge(const Vec3 &apex, const Vec3 &a, const Vec3 &b, const PlaneFrame &receiver);
 
 } // namespace penumbra
