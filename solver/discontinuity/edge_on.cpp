@@ -91,7 +91,11 @@ std::optional<Wedge> plane_of(const Facet &facet, const PlaneFrame &receiver) {
     }
     if (best == n)
         return std::nullopt;
-    return make_wedge(facet.corners[best], facet.corners[(best + 1) % n], facet.corners[(best + n - 1) % n], receiver);
+    auto plane =
+        make_wedge(facet.corners[best], facet.corners[(best + 1) % n], facet.corners[(best + n - 1) % n], receiver);
+    if (plane)
+        plane->slack = coincidence + 2 * facet.bend;
+    return plane;
 }
 
 Polygon flattened(const Wedge &plane, const std::vector<Vec3> &corners) {

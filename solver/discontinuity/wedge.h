@@ -3,6 +3,7 @@
 
 #include "core/vec.h"
 #include "discontinuity/interval_set.h"
+#include "discontinuity/tolerance.h"
 #include "geometry/plane_frame.h"
 
 #include <optional>
@@ -15,10 +16,11 @@ struct Wedge {
     Vec3 apex, a, b; ///< the corner, and two points of the edge
     Vec3 normal;     ///< unit, along (a - apex) x (b - apex)
     PlaneFrame receiver;
-    double apex_height = 0; ///< over the receiver, positive
-    Vec3 foot, along;       ///< unit
+    double apex_height = 0;     ///< over the receiver, positive
+    Vec3 foot, along;           ///< unit
+    double slack = coincidence; ///< what lies nearer to the plane is in it
 
-    /// +1, 0 or -1: where q lies, 0 within `coincidence` of the plane, the sign exact otherwise.
+    /// +1, 0 or -1: where q lies, 0 within the slack, the sign exact otherwise.
     int side(const Vec3 &q) const;
     double height(const Vec3 &q) const { return (q - apex).dot(normal); }
     Vec3 on_receiver(double s) const { return foot + s * along; }

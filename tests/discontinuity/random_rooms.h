@@ -29,11 +29,19 @@ public:
         faces_ += '\n';
     }
     /// A closed box with the given centre and half axes; seen from outside its corners run counter-clockwise.
-    void box(const Vec3 &centre, const Eigen::Matrix3d &axes, const char *material) {
+    /// Coordinates are rounded to `unit`, unless it is 0.
+    void box(const Vec3 &centre, const Eigen::Matrix3d &axes, const char *material, double unit = 0) {
+        const auto rounded = [&](Corners corners) {
+            for (Vec3 &c : corners)
+                if (unit > 0)
+                    c = (c.array() / unit).round() * unit;
+            return corners;
+        };
         for (int k = 0; k < 3; ++k)
             for (const double sign : {-1.0, 1.0}) {
                 const Vec3 w = sign * axes.col(k), u = axes.col((k + 1) % 3), v = sign * axes.col((k + 2) % 3);
-                face({centre + w - u - v, centre + w + u - v, centre + w + u + v, centre + w - u + v}, material);
+                face(rounded({centre + w - u - v, centre + w + u - v, centre + w + u + v, centre + w - u + v}),
+                     material);
             }
     }
     Scene scene() const {

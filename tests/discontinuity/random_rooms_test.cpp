@@ -2,6 +2,8 @@
 #include "completeness.h"
 #include "random_rooms.h"
 
+#include "discontinuity/trace_curves.h"
+
 #include <gtest/gtest.h>
 
 namespace penumbra {
@@ -107,6 +109,32 @@ TEST(Completeness, OneBoxOnAGrid) {
         tally += check_scene(text.scene(), 6, seed);
     }
     expect_complete(tally);
+}
+
+/// Files often give six decimals: faces of a tilted box are then bent, and flattening them tears their shared edges.
+TEST(Completeness, RoundedCoordinatesThrowTheSameCurves) {
+    const auto curves_with = [](std::uint32_t seed, double unit) {
+        Random random(seed);
+        ObjText text = turned_room(random);
+        const Vec3 centre = random.in({-0.7, -0.7, 0.7}, {0.7, 0.7, 1.2});
+        Eigen::Matrix3d axes = random.turn();
+        for (int k = 0; k < 3; ++k)
+            axes.col(k) *= random.in(0.1, 0.4);
+        text.box(centre, axes, "black", unit);
+        return trace_emitter_curves(text.scene());
+    };
+    const auto length = [](const std::vector<Curve> &curves) {
+        double sum = 0;
+        for (const Curve &c : curves)
+            if (c.kind != CurveKind::plane)
+                sum += (c.to - c.from).norm();
+        return sum;
+    };
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        const auto exact = curves_with(seed, 0), rounded = curves_with(seed, 1e-6);
+        EXPECT_EQ(rounded.size(), exact.size()) << seed;
+        EXPECT_NEAR(length(rounded), length(exact), 1e-4) << seed;
+    }
 }
 
 } // namespace
