@@ -1,6 +1,7 @@
 #include "iteration/snapshot.h"
 
 #include "basis/element_basis.h"
+#include "basis/legendre.h"
 
 namespace penumbra {
 
@@ -16,6 +17,16 @@ std::string_view name(Phase phase) {
         return "push-pull";
     }
     return "";
+}
+
+Rgb radiosity_at(const Snapshot &snapshot, const SnapshotPatch &patch, double u, double v) {
+    const auto a = legendre(u), b = legendre(v);
+    Rgb sum = Rgb::Zero();
+    for (int i = 0, k = patch.first; i < patch.order; ++i)
+        for (int j = 0; j < patch.order; ++j, ++k)
+            sum += a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)] *
+                   snapshot.coefficients[static_cast<std::size_t>(k)];
+    return sum;
 }
 
 Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p) {

@@ -68,6 +68,8 @@ struct Snapshot {
     std::string sentence;               ///< what the last phase did, in words
 };
 
+/// Radiosity of a patch at its parameters u, v in [0,1].
+Rgb radiosity_at(const Snapshot &snapshot, const SnapshotPatch &patch, double u, double v);
 /// Radiosity of a patch at a point of its surface's plane (inside the patch).
 Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p);
 

@@ -1,0 +1,235 @@
+#include "action.h"
+
+#include "verbs.h"
+
+#include <algorithm>
+
+namespace penumbra {
+
+namespace {
+
+using State = AppState;
+
+bool has_scene(const State &s) { return s.scene != nullptr; }
+bool can_go_on(const State &s) { return has_scene(s) && !at_end(s); }
+bool can_go_back(const State &s) { return s.position > 0; }
+bool can_cancel(const State &s) { return s.busy || s.playing || !s.opening.empty(); }
+
+template <Strategy strategy>
+void use_strategy(State &s) {
+    set_strategy(s, strategy);
+}
+template <Strategy strategy>
+bool uses_strategy(const State &s) {
+    return s.active_strategy() == strategy;
+}
+template <Layout layout>
+void use_layout(State &s) {
+    set_layout(s, layout);
+}
+template <Layout layout>
+bool uses_layout(const State &s) {
+    return s.layout == layout;
+}
+template <Shading shading>
+void use_shading(State &s) {
+    s.look.shading = shading;
+}
+template <Shading shading>
+bool uses_shading(const State &s) {
+    return s.look.shading == shading;
+}
+
+void flip_meshing(State &s) {
+    const Strategy now = s.active_strategy();
+    set_strategy(s, strategy_of(!cuts_along_curves(now), is_constant(now)));
+}
+void flip_basis(State &s) {
+    const Strategy now = s.active_strategy();
+    set_strategy(s, strategy_of(cuts_along_curves(now), !is_constant(now)));
+}
+
+void change_exposure(State &s, double ev) {
+    s.look.exposure_ev = std::clamp(s.look.exposure_ev + ev, -10.0, 10.0);
+}
+
+/// Esc leaves what is open, one thing at a time, before it stops the solver.
+void cancel(State &s) {
+    if (s.help_open || s.open_dialog) {
+        s.help_open = s.open_dialog = false;
+    } else if (can_cancel(s)) {
+        s.cancel_request = true;
+        s.halted = true;
+        s.playing = false;
+    } else {
+        s.message = {};
+    }
+}
+
+void scale(State &s, double factor) { s.ui_scale = std::clamp(s.ui_scale * factor, 0.5, 4.0); }
+
+void reset(State &s) {
+    s.playing = false;
+    go_to(s, 0);
+    s.message = {"Back at the start.", false};
+}
+
+void toggle_play(State &s) {
+    s.playing = !s.playing;
+    if (s.playing) {
+        s.halted = false;
+        s.hint_done = true;
+    } else {
+        s.message = {"Paused.", false};
+    }
+}
+
+template <int to(int)>
+void go(State &s) {
+    s.playing = false;
+    go_to(s, to(s.position));
+}
+constexpr int next_phase(int p) { return p + 1; }
+constexpr int previous_phase(int p) { return p - 1; }
+/// Far beyond any number of iterations; the position stays at the end once that is known.
+constexpr int far_ahead(int) { return 1'000'000; }
+
+const std::vector<Action> &list() {
+    static const std::vector<Action> all{
+        {"file.open", Menu::file, "Open…", "Opens a scene; a file may also be dropped on the window.", {"Ctrl+O"},
+         [](State &s) { s.open_dialog = !s.open_dialog; }},
+        {"file.picture", Menu::file, "Save picture", "Saves the panes with their labels and legend as a numbered PNG.",
+         {"F12"}, [](State &s) { s.picture_request = PictureRequest::panes; }, has_scene},
+        {"file.window_picture", Menu::file, "Save picture of the window", "Saves the whole window as a numbered PNG.",
+         {"Ctrl+F12"}, [](State &s) { s.picture_request = PictureRequest::window; }},
+        {"file.quit", Menu::file, "Quit", "Closes the window.", {"Ctrl+Q"}, [](State &s) { s.quit_request = true; }},
+
+        {"solve.play", Menu::solve, "Play / pause", "Goes on by itself, a phase at a time, until converged.", {"Space"},
+         toggle_play, has_scene, [](const State &s) { return s.playing; }},
+        {"solve.step", Menu::solve, "Step", "One iteration: refine, gather, push and pull.", {"Right"},
+         go<step_forward>, can_go_on},
+        {"solve.sub_step", Menu::solve, "Next phase", "One phase alone: refine, or gather, or push and pull.",
+         {"Shift+Right"}, go<next_phase>, can_go_on},
+        {"solve.back", Menu::solve, "Back", "To the end of the iteration before.", {"Left"}, go<step_back>,
+         can_go_back},
+        {"solve.sub_back", Menu::solve, "Previous phase", "One phase back.", {"Shift+Left"}, go<previous_phase>,
+         can_go_back},
+        {"solve.reset", Menu::solve, "Reset", "Back to the start.", {"Home"}, reset, can_go_back},
+        {"solve.end", Menu::solve, "To the end", "Iterates until nothing changes any more.", {"End"}, go<far_ahead>,
+         can_go_on},
+        {"solve.cancel", Menu::solve, "Cancel", "Stops the solver; the last complete state stays.", {"Escape"}, cancel},
+
+        {"strategy.a", Menu::strategy, "(a) Uniform meshing, constant basis",
+         "Splits in four where the fit is poor; one value a patch.", {"1"}, use_strategy<Strategy::uniform_constant>,
+         nullptr, uses_strategy<Strategy::uniform_constant>},
+        {"strategy.b", Menu::strategy, "(b) Discontinuity meshing, constant basis",
+         "Cuts along shadow boundaries; one value a patch.", {"2"}, use_strategy<Strategy::discontinuity_constant>,
+         nullptr, uses_strategy<Strategy::discontinuity_constant>},
+        {"strategy.c", Menu::strategy, "(c) Uniform meshing, multiwavelet basis",
+         "Splits in four where the fit is poor; a polynomial on each patch.", {"3"},
+         use_strategy<Strategy::uniform_wavelet>, nullptr, uses_strategy<Strategy::uniform_wavelet>},
+        {"strategy.d", Menu::strategy, "(d) Discontinuity meshing, multiwavelet basis",
+         "Cuts along shadow boundaries; a polynomial on each patch.", {"4"},
+         use_strategy<Strategy::discontinuity_wavelet>, nullptr, uses_strategy<Strategy::discontinuity_wavelet>},
+        {"strategy.meshing", Menu::strategy, "Discontinuity meshing",
+         "Cut along shadow boundaries, or split uniformly.", {"D"}, flip_meshing, nullptr,
+         [](const State &s) { return cuts_along_curves(s.active_strategy()); }},
+        {"strategy.basis", Menu::strategy, "Multiwavelet basis", "A polynomial on each patch, or one value.", {"W"},
+         flip_basis, nullptr, [](const State &s) { return !is_constant(s.active_strategy()); }},
+
+        {"view.single", Menu::view, "One pane", "The active strategy alone.", {"Ctrl+1"}, use_layout<Layout::single>,
+         nullptr, uses_layout<Layout::single>},
+        {"view.two", Menu::view, "Two panes", "Two strategies side by side, with the same eye and step.", {"Ctrl+2"},
+         use_layout<Layout::two>, nullptr, uses_layout<Layout::two>},
+        {"view.four", Menu::view, "Four panes", "All four strategies, with the same eye and step.", {"Ctrl+4"},
+         use_layout<Layout::four>, nullptr, uses_layout<Layout::four>},
+        {"view.next_pane", Menu::view, "Next pane", "Makes the next pane the active one.", {"Tab"},
+         [](State &s) { s.panes().active = (s.panes().active + 1) % n_panes(s.layout); },
+         [](const State &s) { return s.layout != Layout::single; }},
+        {"view.reset", Menu::view, "Reset view", "Back to the eye that the scene began with.", {"R"}, reset_view,
+         has_scene},
+        {"view.fit", Menu::view, "Fit", "Moves the eye until the whole scene is in the frame.", {"F"}, fit_view,
+         has_scene},
+        {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop, in all panes.", {"E"},
+         [](State &s) { change_exposure(s, 0.5); }},
+        {"view.darker", Menu::view, "Darker", "Exposure down by half a stop, in all panes.", {"Shift+E"},
+         [](State &s) { change_exposure(s, -0.5); }},
+        {"view.exposure_0", Menu::view, "Exposure 0 EV", "Exposure back to 0.", {"Ctrl+E"},
+         [](State &s) { s.look.exposure_ev = 0; }},
+        {"view.panels", Menu::view, "Hide panels", "The scene alone; the same key brings the panels back.", {"F11"},
+         [](State &s) { s.panels_hidden = !s.panels_hidden; }, nullptr,
+         [](const State &s) { return s.panels_hidden; }},
+        {"view.theme", Menu::view, "Light background", "For projectors and print.", {"B"},
+         [](State &s) { s.look.theme = s.look.theme == Theme::dark ? Theme::light : Theme::dark; }, nullptr,
+         [](const State &s) { return s.look.theme == Theme::light; }},
+        {"view.larger", Menu::view, "Larger text", "Scales the whole interface up.", {"Ctrl++", "Ctrl+="},
+         [](State &s) { scale(s, 1.125); }},
+        {"view.smaller", Menu::view, "Smaller text", "Scales the whole interface down.", {"Ctrl+-"},
+         [](State &s) { scale(s, 1 / 1.125); }},
+
+        {"layers.mesh", Menu::layers, "Mesh", "Sides of the patches.", {"M"},
+         [](State &s) { s.look.layers.mesh = !s.look.layers.mesh; }, nullptr,
+         [](const State &s) { return s.look.layers.mesh; }},
+        {"layers.curves", Menu::layers, "Discontinuity curves", "Where the light or one of its derivatives jumps.",
+         {"C"}, [](State &s) { s.look.layers.curves = !s.look.layers.curves; }, nullptr,
+         [](const State &s) { return s.look.layers.curves; }},
+        {"layers.links", Menu::layers, "Links", "From the centre of each receiving element to its sources.", {"L"},
+         [](State &s) { s.look.layers.links = !s.look.layers.links; }, nullptr,
+         [](const State &s) { return s.look.layers.links; }},
+        {"layers.fresh", Menu::layers, "Highlight new patches", "Outlines for a moment what the last refinement made.",
+         {"N"}, [](State &s) { s.look.emphasise_fresh = !s.look.emphasise_fresh; }, nullptr,
+         [](const State &s) { return s.look.emphasise_fresh; }},
+        {"layers.polynomial", Menu::layers, "Polynomial", "The solution itself, evaluated at every pixel.", {"P"},
+         use_shading<Shading::polynomial>, nullptr, uses_shading<Shading::polynomial>},
+        {"layers.flat", Menu::layers, "Flat", "The mean of each patch.", {"O"}, use_shading<Shading::flat>, nullptr,
+         uses_shading<Shading::flat>},
+        {"layers.linear", Menu::layers, "Linear", "Gouraud's interpolation of averaged corner values.", {"I"},
+         use_shading<Shading::linear>, nullptr, uses_shading<Shading::linear>},
+        {"layers.false_colour", Menu::layers, "False colour", "Radiosity on the cividis scale, with its legend.", {"V"},
+         [](State &s) { s.look.false_colour = !s.look.false_colour; }, nullptr,
+         [](const State &s) { return s.look.false_colour; }},
+        {"layers.legend", Menu::layers, "Legend", "Scales and line kinds in the picture.", {"G"},
+         [](State &s) { s.legend_hidden = !s.legend_hidden; }, nullptr,
+         [](const State &s) { return !s.legend_hidden; }},
+
+        {"help.keys", Menu::help, "Keys and mouse", "Everything that the window answers to.", {"?", "F1"},
+         [](State &s) { s.help_open = !s.help_open; }, nullptr, [](const State &s) { return s.help_open; }},
+    };
+    return all;
+}
+
+} // namespace
+
+std::string_view title(Menu menu) {
+    constexpr std::string_view titles[] = {"File", "Solve", "Strategy", "View", "Layers", "Help"};
+    return titles[static_cast<std::size_t>(menu)];
+}
+
+std::span<const Action> actions() { return list(); }
+
+const Action *find_action(std::string_view id) {
+    const auto found = std::ranges::find(list(), id, &Action::id);
+    return found == list().end() ? nullptr : &*found;
+}
+
+const Action *action_on_key(std::string_view key) {
+    for (const Action &a : list())
+        if (std::ranges::find(a.keys, key) != a.keys.end())
+            return &a;
+    return nullptr;
+}
+
+bool is_enabled(const Action &action, const AppState &state) { return !action.enabled || action.enabled(state); }
+
+bool is_checked(const Action &action, const AppState &state) { return action.checked && action.checked(state); }
+
+bool run(const Action &action, AppState &state) {
+    if (state.inert || !is_enabled(action, state))
+        return false;
+    if (state.message.error)
+        state.message = {};
+    action.run(state);
+    return true;
+}
+
+} // namespace penumbra

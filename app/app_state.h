@@ -1,0 +1,119 @@
+// All that the viewer knows, in one place. Actions change it; the panels and the panes show it; the worker's goal
+// follows from it.
+#pragma once
+
+#include "render/camera.h"
+#include "render/look.h"
+#include "render/pick.h"
+#include "scene/scene.h"
+#include "timeline.h"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra {
+
+using Clock = std::chrono::steady_clock;
+
+enum class Layout { single, two, four };
+constexpr int n_panes(Layout layout) { return layout == Layout::single ? 1 : layout == Layout::two ? 2 : 4; }
+
+/// Which strategies stand side by side; each layout remembers its own.
+struct PaneSet {
+    std::array<Strategy, 4> strategies{};
+    int active = 0; ///< the pane that strategy actions change and numbers are told of
+};
+
+/// A sentence for the status bar; errors also stand over the panes until the next action.
+struct Message {
+    std::string text;
+    bool error = false;
+};
+
+/// The phase that the worker is in.
+struct Busy {
+    Strategy strategy{};
+    int position = 0; ///< that it leads to
+    Clock::time_point since;
+};
+
+enum class PictureRequest { panes, window };
+
+/// A rectangle of the window [screen coordinates, y downward].
+struct WindowRect {
+    float x = 0, y = 0, width = 0, height = 0;
+};
+
+struct AppState {
+    // What is solved.
+    std::shared_ptr<const Scene> scene;
+    Options options;       ///< of all strategies; its own strategy is not looked at
+    std::uint64_t run = 1; ///< grows when scene or options change, which starts every solution anew
+    std::array<Timeline, 4> timelines; ///< by strategy, of the present run
+
+    // Where it stands.
+    int position = 0;      ///< asked for, see timeline.h; equal in all panes
+    bool playing = false;
+    double phases_per_second = 2; ///< of playing
+    bool halted = false;   ///< cancelled: nothing is computed until something is asked for again
+    std::optional<Busy> busy;
+    std::string opening;   ///< scene that is being read; empty: none
+
+    // How it is seen.
+    Layout layout = Layout::single;
+    std::array<PaneSet, 3> pane_sets{{{{Strategy::discontinuity_wavelet}, 0},
+                                      {{Strategy::uniform_constant, Strategy::discontinuity_wavelet}, 1},
+                                      {{Strategy::uniform_constant, Strategy::discontinuity_constant,
+                                        Strategy::uniform_wavelet, Strategy::discontinuity_wavelet},
+                                       3}}};
+    Look look;
+    Camera camera;
+    bool camera_is_set = false; ///< false: the first view is taken with the next snapshot
+    bool camera_moved = false;  ///< by the user
+    double first_aspect = 1;    ///< pane_aspect that the first view was made for
+    double pane_aspect = 1;     ///< width / height of a pane, in the last frame
+    std::optional<Pick> under_cursor;
+    std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins
+    std::optional<glm::dvec3> orbit_pivot; ///< of the drag that is going on
+    std::optional<glm::dvec3> drag_anchor; ///< point that a pan keeps under the mouse
+    Clock::time_point fresh_since; ///< since when the newest patches are shown
+
+    // Window.
+    std::vector<std::string> bundled_scenes; ///< names
+    bool inert = false; ///< for tests of the tests: actions do nothing
+    bool panels_hidden = false, help_open = false, open_dialog = false, legend_hidden = false;
+    std::string open_path; ///< in the dialog
+    bool hint_done = false; ///< somebody has stepped: the hint has served
+    double ui_scale = 1;
+    Message message;
+
+    // Asked of the window; it does them and takes them back.
+    std::optional<std::string> open_request; ///< bundled name or file
+    std::optional<PictureRequest> picture_request;
+    bool cancel_request = false, quit_request = false;
+
+    std::map<std::string, WindowRect> widgets; ///< where each control was drawn in the last frame, by action or name
+    std::string last_picture; ///< file
+    double cancel_ms = -1;    ///< from the last cancel to its answer; negative: none yet
+
+    PaneSet &panes() { return pane_sets[static_cast<std::size_t>(layout)]; }
+    const PaneSet &panes() const { return pane_sets[static_cast<std::size_t>(layout)]; }
+    Strategy active_strategy() const { return panes().strategies[static_cast<std::size_t>(panes().active)]; }
+    const Timeline &timeline(Strategy s) const { return timelines[static_cast<std::size_t>(s)]; }
+    Timeline &timeline(Strategy s) { return timelines[static_cast<std::size_t>(s)]; }
+    /// The strategies of the panes, from the upper left, row by row.
+    std::vector<Strategy> shown() const {
+        const auto &all = panes().strategies;
+        return {all.begin(), all.begin() + n_panes(layout)};
+    }
+    /// Null before anything is known.
+    std::shared_ptr<const Snapshot> snapshot(Strategy s) const { return timeline(s).at(position); }
+};
+
+} // namespace penumbra

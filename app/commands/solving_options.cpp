@@ -1,0 +1,119 @@
+#include "commands/solving_options.h"
+
+#include "commands/terminal.h"
+#include "scene/bundled.h"
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace penumbra {
+
+namespace {
+
+/// Takes the option and refuses any value of it.
+void add_pending_option(CLI::App &parser, const std::string &name, const std::string &does) {
+    parser
+        .add_option_function<std::string>(
+            name,
+            [name](const std::string &) { throw CLI::ValidationError(name, "is still to come; leave it out"); },
+            does + " (still to come)")
+        ->trigger_on_parse();
+}
+
+CLI::Validator positive() {
+    return {[](const std::string &text) {
+                char *end = nullptr;
+                const double x = std::strtod(text.c_str(), &end);
+                return *end == 0 && end != text.c_str() && std::isfinite(x) && x > 0
+                           ? std::string()
+                           : "'" + text + "' is not a positive number";
+            },
+            "POSITIVE"};
+}
+
+std::map<std::string, Strategy> strategies() {
+    std::map<std::string, Strategy> all;
+    for (const Strategy s : all_strategies)
+        all.emplace(name(s), s);
+    return all;
+}
+
+} // namespace
+
+Vec3 SolvingOptions::up_vector() const { return up == "x" ? Vec3::UnitX() : up == "y" ? Vec3::UnitY() : Vec3::UnitZ(); }
+
+void add_common_options(CLI::App &parser, CommonOptions &common, const std::string &output) {
+    parser.add_option("-o,--output", common.output, output);
+    parser.add_flag("-q,--quiet", common.quiet, "Errors only");
+    parser.add_flag("-v,--verbose", common.verbose, "A line for each iteration");
+}
+
+void add_scene_options(CLI::App &parser, SolvingOptions &solving) {
+    parser.add_option("SCENE", solving.scene, "An OBJ file, or the name of a bundled scene")->required();
+    add_up_option(parser, solving);
+}
+
+void add_up_option(CLI::App &parser, SolvingOptions &solving) {
+    parser.add_option("--up", solving.up, "The scene's up axis: x, y or z")
+        ->check(CLI::IsMember({"x", "y", "z"}))
+        ->capture_default_str();
+}
+
+void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
+    Options &o = solving.options;
+    parser
+        .add_option_function<std::string>(
+            "--strategy", [&o](const std::string &text) { o.strategy = *strategy_from_name(text); },
+            "uniform-constant, discontinuity-constant, uniform-wavelet or discontinuity-wavelet (default)")
+        ->check(CLI::IsMember(strategies()));
+    parser
+        .add_option_function<std::string>(
+            "--basis",
+            [](const std::string &text) {
+                if (text == "planar")
+                    throw CLI::ValidationError("--basis", "planar is still to come; use parametric");
+            },
+            "parametric (default), or planar (still to come)")
+        ->check(CLI::IsMember({"parametric", "planar"}))
+        ->trigger_on_parse();
+    parser.add_option("--order", o.order, "Polynomials of degree below this in each parameter, 1 to 4")
+        ->check(CLI::Range(1, 4))
+        ->capture_default_str();
+    parser
+        .add_option("--threshold", o.threshold,
+                    "Largest misfit, as a fraction of the largest reflected radiosity")
+        ->check(positive())
+        ->capture_default_str();
+    add_pending_option(parser, "--tolerance", "Relative L2 error of the reflected radiosity asked for");
+    parser.add_option("--max-depth", o.max_depth, "Halvings of both directions, 0 to 20")
+        ->check(CLI::Range(0, 20))
+        ->capture_default_str();
+    parser.add_option("--max-iterations", o.max_iterations, "Iterations before giving up")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    parser.add_option("--threads", o.threads, "Threads; 0: all cores")->check(CLI::Range(0, 4096))->capture_default_str();
+    add_pending_option(parser, "--effect", "NAME=auto|on|off");
+    add_pending_option(parser, "--memory-limit", "MiB");
+    parser.add_option("--time-limit", solving.time_limit, "Seconds after which the last complete solution is written")
+        ->check(positive());
+}
+
+void add_probe_options(CLI::App &parser, SolvingOptions &solving) {
+    auto *in = parser.add_option("--probe", solving.probe, "CSV of points and normals: x,y,z,nx,ny,nz");
+    auto *out = parser.add_option("--probe-output", solving.probe_output, "The same rows with r,g,b added");
+    in->needs(out);
+    out->needs(in);
+}
+
+Scene open_scene(const SolvingOptions &solving, const CommonOptions &common) {
+    Scene scene = open_scene(solving.scene, solving.up_vector());
+    if (!common.quiet)
+        say_notes(scene.notes);
+    return scene;
+}
+
+} // namespace penumbra

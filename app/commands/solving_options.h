@@ -1,0 +1,50 @@
+// The options of all commands that solve; see CONTRACT's "Commands" in the README.
+#pragma once
+
+#include "core/options.h"
+#include "core/vec.h"
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+
+namespace penumbra {
+
+struct Scene;
+
+struct SolvingOptions {
+    std::string scene; ///< a file or a bundled scene's name
+    std::string up = "z";
+    Options options;
+    std::optional<double> time_limit; ///< [s]
+    std::string probe, probe_output;  ///< empty: none
+
+    Vec3 up_vector() const;
+};
+
+struct CommonOptions {
+    std::string output;
+    bool quiet = false, verbose = false;
+};
+
+/// -o, -q, -v; `output` is what -o names, for the help.
+void add_common_options(CLI::App &parser, CommonOptions &common, const std::string &output);
+
+/// --up.
+void add_up_option(CLI::App &parser, SolvingOptions &solving);
+
+/// The positional SCENE and --up.
+void add_scene_options(CLI::App &parser, SolvingOptions &solving);
+
+/// --strategy, --basis, --order, --threshold, --max-depth, --max-iterations, --threads, --time-limit; those whose
+/// capability is still to come (--tolerance, --basis planar, --effect, --memory-limit) are refused while parsing.
+void add_solving_options(CLI::App &parser, SolvingOptions &solving);
+
+/// --probe and --probe-output, each of which needs the other.
+void add_probe_options(CLI::App &parser, SolvingOptions &solving);
+
+/// Opens the scene and says its notes unless quiet.
+Scene open_scene(const SolvingOptions &solving, const CommonOptions &common);
+
+} // namespace penumbra

@@ -1,0 +1,88 @@
+#include "files/record.h"
+
+#include "core/parallel.h"
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace penumbra {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double peak_memory_mib() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts KiB
+}
+
+Json iteration(const Counters &c) {
+    return {{"iteration", c.iteration},
+            {"patches", c.patches},
+            {"coefficients", c.coefficients},
+            {"links", c.links},
+            {"kernel_evaluations", c.work.kernel_evaluations},
+            {"clips", c.work.clips},
+            {"rays", c.work.rays},
+            {"refine_s", c.refine_s},
+            {"gather_s", c.gather_s},
+            {"push_pull_s", c.push_pull_s},
+            {"change", c.change}};
+}
+
+Json final_state(const Snapshot *solution) {
+    const Counters c = solution ? solution->counters : Counters();
+    Json json = {{"converged", c.converged},
+                 {"patches", c.patches},
+                 {"coefficients", c.coefficients},
+                 {"links", c.links},
+                 {"nodes_at_limit", c.nodes_at_limit},
+                 {"sampled_visibility", c.total_work.sampled_visibility},
+                 {"kernel_evaluations", c.total_work.kernel_evaluations},
+                 {"clips", c.total_work.clips},
+                 {"rays", c.total_work.rays},
+                 {"seconds", c.seconds},
+                 {"peak_memory_mib", peak_memory_mib()},
+                 {"error", solution && solution->error >= 0 ? Json(solution->error) : Json()},
+                 {"estimated_error", nullptr},
+                 {"error_bound", nullptr}};
+    if (!solution)
+        for (auto &[key, value] : json.items())
+            value = key == "converged" ? Json(false) : Json();
+    return json;
+}
+
+Json diagnostics(const std::optional<Health> &health) {
+    if (!health)
+        return nullptr;
+    return {{"energy_balance_error", health->energy_balance_error},
+            {"min_radiosity", health->min_radiosity},
+            {"max_filter_condition", health->max_filter_condition},
+            {"non_finite", health->non_finite}};
+}
+
+} // namespace
+
+std::string to_json(const Record &record) {
+    const Snapshot *solution = record.solution.get();
+    Json iterations = Json::array();
+    for (const Counters &c : record.iterations)
+        iterations.push_back(iteration(c));
+    const Json json = {{"scene", record.scene},
+                       {"strategy", name(record.options.strategy)},
+                       {"basis", "parametric"},
+                       {"order", record.options.effective_order()},
+                       {"threshold", record.options.threshold},
+                       {"tolerance", nullptr},
+                       {"threads", threads()},
+                       {"version", PENUMBRA_VERSION},
+                       {"iterations", std::move(iterations)},
+                       {"final", final_state(solution)},
+                       {"effects", nullptr},
+                       {"diagnostics", diagnostics(record.health)}};
+    // Scene names are bytes that need not be UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace penumbra

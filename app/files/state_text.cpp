@@ -1,0 +1,95 @@
+#include "files/state_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace penumbra {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple(const glm::dvec3 &v) { return Json::array({v.x, v.y, v.z}); }
+
+std::string_view layout_name(Layout layout) {
+    constexpr std::string_view names[] = {"single", "two", "four"};
+    return names[static_cast<std::size_t>(layout)];
+}
+
+Json saved(const AppState &s) {
+    Json strategies = Json::array();
+    for (const Strategy strategy : s.shown())
+        strategies.push_back(name(strategy));
+    Json j;
+    j["scene"] = s.scene ? s.scene->name : "";
+    j["file"] = s.scene ? s.scene->file.string() : "";
+    j["options"] = {{"threshold", s.options.threshold}, {"order", s.options.order}, {"max_depth", s.options.max_depth}};
+    j["position"] = s.position;
+    j["iteration"] = iteration_of(s.position);
+    j["phase"] = name(phase_of(s.position));
+    j["layout"] = layout_name(s.layout);
+    j["strategies"] = strategies;
+    j["active"] = s.panes().active;
+    j["camera"] = {{"eye", triple(s.camera.eye)},
+                   {"target", triple(s.camera.target)},
+                   {"up", triple(s.camera.up)},
+                   {"fov", s.camera.fov_y}};
+    j["layers"] = {{"mesh", s.look.layers.mesh},
+                   {"curves", s.look.layers.curves},
+                   {"links", s.look.layers.links},
+                   {"fresh", s.look.emphasise_fresh},
+                   {"legend", !s.legend_hidden}};
+    j["shading"] = name(s.look.shading);
+    j["false_colour"] = s.look.false_colour;
+    j["exposure"] = s.look.exposure_ev;
+    j["background"] = s.look.theme == Theme::dark ? "dark" : "light";
+    return j;
+}
+
+Json pane(const AppState &s, Strategy strategy) {
+    Json j{{"strategy", name(strategy)}};
+    if (const auto snapshot = s.snapshot(strategy)) {
+        j["iteration"] = snapshot->counters.iteration;
+        j["phase"] = name(snapshot->phase);
+        j["patches"] = snapshot->counters.patches;
+        j["coefficients"] = snapshot->counters.coefficients;
+        j["links"] = snapshot->counters.links;
+        j["converged"] = snapshot->counters.converged;
+        j["version"] = snapshot->version;
+        j["computed"] = s.timeline(strategy).last();
+    }
+    return j;
+}
+
+} // namespace
+
+std::string saved_state_text(const AppState &state) { return saved(state).dump(1); }
+
+std::string observed_state_text(const AppState &s) {
+    Json j = saved(s);
+    j["panes"] = Json::array();
+    for (const Strategy strategy : s.shown())
+        j["panes"].push_back(pane(s, strategy));
+    j["run"] = s.run;
+    j["busy"] = s.busy.has_value();
+    j["playing"] = s.playing;
+    j["opening"] = s.opening;
+    j["message"] = s.message.text;
+    j["message_is_error"] = s.message.error;
+    j["hint"] = !s.hint_done;
+    j["help"] = s.help_open;
+    j["open_dialog"] = s.open_dialog;
+    j["panels_hidden"] = s.panels_hidden;
+    j["ui_scale"] = s.ui_scale;
+    j["speed"] = s.phases_per_second;
+    j["pivot"] = s.pivot ? triple(*s.pivot) : Json();
+    j["under_cursor"] = s.under_cursor ? Json{{"surface", s.under_cursor->surface}, {"patch", s.under_cursor->patch}}
+                                       : Json();
+    j["picture"] = s.last_picture;
+    j["cancel_ms"] = s.cancel_ms;
+    j["widgets"] = Json::object();
+    for (const auto &[widget, r] : s.widgets)
+        j["widgets"][widget] = Json::array({r.x, r.y, r.width, r.height});
+    return j.dump(1);
+}
+
+} // namespace penumbra

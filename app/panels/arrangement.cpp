@@ -1,0 +1,47 @@
+#include "panels/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+namespace {
+std::vector<WindowRect> split(const WindowRect &area, int columns, int rows, float gap) {
+    std::vector<WindowRect> panes;
+    const float w = std::floor((area.width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    const float h = std::floor((area.height - gap * static_cast<float>(rows - 1)) / static_cast<float>(rows));
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            panes.push_back({area.x + static_cast<float>(column) * (w + gap),
+                             area.y + static_cast<float>(row) * (h + gap), std::max(1.f, w), std::max(1.f, h)});
+    return panes;
+}
+} // namespace
+
+Arrangement arrange(const AppState &state, float width, float height, float top, float em) {
+    Arrangement a;
+    WindowRect rest{0, 0, width, height};
+    if (!state.panels_hidden) {
+        const float bar = std::round(2.3f * em), transport = std::round(2.8f * em), status = std::round(1.75f * em);
+        const float side = std::min(std::round(16.5f * em), std::floor(0.35f * width));
+        a.tool_bar = {0, top, width, bar};
+        a.status = {0, height - status, width, status};
+        a.transport = {0, a.status.y - transport, width, transport};
+        a.side = {0, top + bar, side, a.transport.y - top - bar};
+        rest = {side, top + bar, width - side, a.side.height};
+    }
+    rest.width = std::max(1.f, rest.width);
+    rest.height = std::max(1.f, rest.height);
+    a.panes = rest;
+    WindowRect scene = rest;
+    if (!state.legend_hidden) {
+        const float strip = std::round(1.9f * em);
+        a.legend = {rest.x, rest.y + rest.height - strip, rest.width, strip};
+        scene.height = std::max(1.f, rest.height - strip);
+    }
+    const int columns = state.layout == Layout::single ? 1 : 2, rows = state.layout == Layout::four ? 2 : 1;
+    a.pane = split(scene, columns, rows, 2);
+    return a;
+}
+
+} // namespace penumbra

@@ -1,0 +1,20 @@
+// Where everything stands in the window.
+#pragma once
+
+#include "app_state.h"
+
+#include <vector>
+
+namespace penumbra {
+
+struct Arrangement {
+    WindowRect tool_bar, side, transport, status; ///< empty when panels are hidden
+    WindowRect panes;               ///< all of them, with the legend strip below
+    WindowRect legend;              ///< strip that explains line kinds; empty when hidden
+    std::vector<WindowRect> pane;   ///< from the upper left, row by row
+};
+
+/// `width`, `height`: of the window [screen coordinates]; `top`: height of the menu bar; `em`: of the text.
+Arrangement arrange(const AppState &state, float width, float height, float top, float em);
+
+} // namespace penumbra

@@ -1,0 +1,189 @@
+#include "panels/controls.h"
+
+#include "core/check.h"
+
+#include <algorithm>
+
+namespace penumbra {
+
+namespace {
+
+const Action &known(std::string_view id) {
+    const Action *action = find_action(id);
+    PENUMBRA_CHECK(action != nullptr, ==, true);
+    return *action;
+}
+
+void tooltip_of(const Action &action) {
+    tooltip(std::string(action.title), action.help, action.keys.empty() ? std::string_view{} : action.keys.front());
+}
+
+void push_on_colours(bool on) {
+    if (!on)
+        return;
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+}
+void pop_on_colours(bool on) {
+    if (on)
+        ImGui::PopStyleColor(2);
+}
+
+void draw_icon(ImDrawList &list, Icon icon, ImVec2 centre, float r, ImU32 colour) {
+    const auto triangle = [&](float x, float direction) {
+        const float w = 0.8f * r * direction;
+        list.AddTriangleFilled({x - 0.55f * w, centre.y - r}, {x + w, centre.y}, {x - 0.55f * w, centre.y + r}, colour);
+    };
+    const auto bar = [&](float x) {
+        list.AddRectFilled({x - 0.15f * r, centre.y - 0.95f * r}, {x + 0.15f * r, centre.y + 0.95f * r}, colour);
+    };
+    switch (icon) {
+    case Icon::play:
+        triangle(centre.x - 0.2f * r, 1.7f);
+        break;
+    case Icon::pause:
+        list.AddRectFilled({centre.x - 0.8f * r, centre.y - r}, {centre.x - 0.25f * r, centre.y + r}, colour);
+        list.AddRectFilled({centre.x + 0.25f * r, centre.y - r}, {centre.x + 0.8f * r, centre.y + r}, colour);
+        break;
+    case Icon::forward:
+        triangle(centre.x - 0.35f * r, 1);
+        bar(centre.x + 0.75f * r);
+        break;
+    case Icon::back:
+        triangle(centre.x + 0.35f * r, -1);
+        bar(centre.x - 0.75f * r);
+        break;
+    case Icon::to_start:
+        triangle(centre.x + 0.9f * r, -1);
+        triangle(centre.x - 0.05f * r, -1);
+        bar(centre.x - 1.05f * r);
+        break;
+    case Icon::to_end:
+        triangle(centre.x - 0.9f * r, 1);
+        triangle(centre.x + 0.05f * r, 1);
+        bar(centre.x + 1.05f * r);
+        break;
+    case Icon::stop:
+        list.AddRectFilled({centre.x - 0.8f * r, centre.y - 0.8f * r}, {centre.x + 0.8f * r, centre.y + 0.8f * r},
+                           colour);
+        break;
+    }
+}
+
+} // namespace
+
+float em(float n) { return n * ImGui::GetFontSize(); }
+
+void mark(AppState &state, std::string_view name) {
+    const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+    state.widgets[std::string(name)] = {low.x, low.y, size.x, size.y};
+}
+
+void tooltip(const std::string &title, std::string_view sentence, std::string_view key) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(em(22));
+    ImGui::TextUnformatted(title.c_str());
+    if (!key.empty()) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("%.*s", static_cast<int>(key.size()), key.data());
+    }
+    ImGui::TextDisabled("%.*s", static_cast<int>(sentence.size()), sentence.data());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void action_button(AppState &state, std::string_view id, const char *text, ImVec2 size) {
+    const Action &action = known(id);
+    const bool on = is_checked(action, state);
+    const std::string label = (text ? std::string(text) : std::string(action.title)) + "##" + std::string(id);
+    push_on_colours(on);
+    ImGui::BeginDisabled(!is_enabled(action, state));
+    const bool clicked = ImGui::Button(label.c_str(), size);
+    ImGui::EndDisabled();
+    pop_on_colours(on);
+    mark(state, id);
+    tooltip_of(action);
+    if (clicked)
+        run(action, state);
+}
+
+void icon_button(AppState &state, std::string_view id, Icon icon, float size) {
+    const Action &action = known(id);
+    const bool enabled = is_enabled(action, state), on = is_checked(action, state);
+    push_on_colours(on);
+    ImGui::BeginDisabled(!enabled);
+    const bool clicked = ImGui::Button(("##" + std::string(id)).c_str(), {1.35f * size, size});
+    ImGui::EndDisabled();
+    pop_on_colours(on);
+    mark(state, id);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    draw_icon(*ImGui::GetWindowDrawList(), icon, {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, 0.22f * size,
+              ImGui::GetColorU32(enabled ? ImGuiCol_Text : ImGuiCol_TextDisabled));
+    tooltip_of(action);
+    if (clicked)
+        run(action, state);
+}
+
+void action_check(AppState &state, std::string_view id, const char *text) {
+    const Action &action = known(id);
+    bool on = is_checked(action, state);
+    const std::string label = (text ? std::string(text) : std::string(action.title)) + "##" + std::string(id);
+    ImGui::BeginDisabled(!is_enabled(action, state));
+    const bool clicked = ImGui::Checkbox(label.c_str(), &on);
+    ImGui::EndDisabled();
+    mark(state, id);
+    tooltip_of(action);
+    if (clicked)
+        run(action, state);
+}
+
+bool choice(AppState &state, std::string_view name, const char *text, bool on, const char *sentence, ImVec2 size) {
+    push_on_colours(on);
+    const bool clicked = ImGui::Button((std::string(text) + "##" + std::string(name)).c_str(), size);
+    pop_on_colours(on);
+    mark(state, name);
+    tooltip(text, sentence);
+    return clicked;
+}
+
+void heading(const char *text) {
+    ImGui::Dummy({0, em(0.35f)});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void figure(const char *name, const std::string &value, const char *sentence) {
+    ImGui::BeginGroup();
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine();
+    const float width = ImGui::CalcTextSize(value.c_str()).x;
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
+    ImGui::TextUnformatted(value.c_str());
+    ImGui::EndGroup();
+    if (sentence)
+        tooltip(name, sentence);
+}
+
+void field_label(const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine(em(6.2f));
+    ImGui::SetNextItemWidth(-1);
+}
+
+ImGuiWindowFlags panel_flags() {
+    return ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+           ImGuiWindowFlags_NoNavInputs;
+}
+
+void begin_panel(const char *name, const WindowRect &rect) {
+    ImGui::SetNextWindowPos({rect.x, rect.y});
+    ImGui::SetNextWindowSize({rect.width, rect.height});
+    ImGui::Begin(name, nullptr, panel_flags());
+}
+
+} // namespace penumbra

@@ -1,0 +1,47 @@
+// The few controls that all panels are made of, so that they look alike, tell their key and sentence, and can be found
+// by name.
+#pragma once
+
+#include "action.h"
+#include "app_state.h"
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+namespace penumbra {
+
+enum class Icon { to_start, back, play, pause, forward, to_end, stop };
+
+/// Remembers where the last item was drawn.
+void mark(AppState &state, std::string_view name);
+
+/// A button that does the action; grey when it is disabled, filled when it is checked. `text` replaces the title.
+/// Hovering tells title, sentence and key.
+void action_button(AppState &state, std::string_view id, const char *text = nullptr, ImVec2 size = {0, 0});
+void icon_button(AppState &state, std::string_view id, Icon icon, float size);
+/// A check box for an action that is a toggle.
+void action_check(AppState &state, std::string_view id, const char *text = nullptr);
+
+/// A button of a group of which one is on. Returns whether it was clicked.
+bool choice(AppState &state, std::string_view name, const char *text, bool on, const char *tooltip, ImVec2 size = {0, 0});
+
+/// A small heading, with space above.
+void heading(const char *text);
+/// "patches        262": name on the left, value on the right of the present width.
+void figure(const char *name, const std::string &value, const char *tooltip = nullptr);
+/// A name on the left; the next item takes the rest of the line.
+void field_label(const char *text);
+/// What the mouse tells about the last item, after a moment's rest.
+void tooltip(const std::string &title, std::string_view sentence, std::string_view key = {});
+
+/// Text heights; every distance is a multiple.
+float em(float n = 1);
+
+/// Flags of a panel that is fixed in its place.
+ImGuiWindowFlags panel_flags();
+/// Begins a panel that fills the rectangle; end with ImGui::End().
+void begin_panel(const char *name, const WindowRect &rect);
+
+} // namespace penumbra

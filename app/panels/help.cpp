@@ -1,0 +1,67 @@
+#include "panels/controls.h"
+#include "panels/panels.h"
+
+namespace penumbra {
+
+namespace {
+
+void row(std::string_view keys, std::string_view sentence) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
+    ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%.*s", static_cast<int>(sentence.size()), sentence.data());
+    ImGui::PopTextWrapPos();
+}
+
+void begin_block(const char *name) {
+    heading(name);
+    ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit);
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, em(6.5f));
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+}
+
+void draw_mouse() {
+    begin_block("Mouse");
+    row("drag", "Turns about the point under the mouse, or about the pivot.");
+    row("right drag", "Moves along; also with the middle button, or Shift and the left one.");
+    row("wheel", "Up: nearer to the point under the mouse. Down: away from it.");
+    row("double click", "Makes the point under the mouse the pivot.");
+    ImGui::EndTable();
+}
+
+void draw_menu(Menu menu) {
+    const std::string name(title(menu));
+    begin_block(name.c_str());
+    for (const Action &action : actions())
+        if (action.menu == menu && !action.keys.empty())
+            row(action.keys.front(), action.help);
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void draw_help(AppState &state) {
+    if (!state.help_open)
+        return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(em(62), window.x - em(2)), std::min(em(46), window.y - em(2))});
+    ImGui::Begin("Keys and mouse", &state.help_open,
+                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+    if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
+        ImGui::TableNextColumn();
+        draw_mouse();
+        draw_menu(Menu::solve);
+        draw_menu(Menu::file);
+        draw_menu(Menu::strategy);
+        ImGui::TableNextColumn();
+        draw_menu(Menu::view);
+        draw_menu(Menu::layers);
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+} // namespace penumbra

@@ -1,0 +1,32 @@
+#include "panels/controls.h"
+#include "panels/panels.h"
+#include "panels/words.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace penumbra {
+
+namespace {
+
+std::string facts(const AppState &state) {
+    std::string text;
+    if (state.under_cursor)
+        text = rgb_words(state.under_cursor->radiosity) + " W/m²   ";
+    char exposure[32];
+    std::snprintf(exposure, sizeof exposure, "%+.1f EV   ", state.look.exposure_ev);
+    return text + exposure + position_words(state.position);
+}
+
+} // namespace
+
+void draw_status_bar(AppState &state, const WindowRect &rect) {
+    begin_panel("status", rect);
+    ImGui::TextUnformatted(state.message.error ? "" : state.message.text.c_str());
+    const std::string right = facts(state);
+    ImGui::SameLine(std::max(em(1), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(right.c_str()).x));
+    ImGui::TextDisabled("%s", right.c_str());
+    ImGui::End();
+}
+
+} // namespace penumbra

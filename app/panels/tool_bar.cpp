@@ -1,0 +1,78 @@
+#include "panels/controls.h"
+#include "panels/panels.h"
+#include "verbs.h"
+
+#include <algorithm>
+
+namespace penumbra {
+
+namespace {
+
+void gap() {
+    ImGui::SameLine(0, em(1.6f));
+}
+
+void label(const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine();
+}
+
+void draw_scene_choice(AppState &state) {
+    label("Scene");
+    ImGui::SetNextItemWidth(em(11));
+    const std::string now = !state.opening.empty() ? "opening…" : state.scene ? state.scene->name : "none";
+    const bool open = ImGui::BeginCombo("##scene", now.c_str());
+    if (!open)
+        mark(state, "scene");
+    if (!open)
+        return;
+    for (const std::string &name : state.bundled_scenes) {
+        if (ImGui::Selectable(name.c_str(), state.scene && state.scene->name == name))
+            state.open_request = name;
+        mark(state, "scene." + name);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_strategy_choice(AppState &state) {
+    const Strategy now = state.active_strategy();
+    const bool cuts = cuts_along_curves(now), constant = is_constant(now);
+    label("Meshing");
+    if (choice(state, "meshing.uniform", "Uniform", !cuts, "Splits a patch in four where the fit is poor."))
+        set_strategy(state, strategy_of(false, constant));
+    ImGui::SameLine(0, 1);
+    if (choice(state, "meshing.discontinuity", "Discontinuity", cuts, "Cuts patches along shadow boundaries."))
+        set_strategy(state, strategy_of(true, constant));
+    gap();
+    label("Basis");
+    if (choice(state, "basis.constant", "Constant", constant, "One value a patch."))
+        set_strategy(state, strategy_of(cuts, true));
+    ImGui::SameLine(0, 1);
+    if (choice(state, "basis.multiwavelet", "Multiwavelet", !constant, "A polynomial on each patch."))
+        set_strategy(state, strategy_of(cuts, false));
+    ImGui::SameLine();
+    ImGui::TextDisabled("(%s)", letter(now));
+}
+
+} // namespace
+
+void draw_tool_bar(AppState &state, const WindowRect &rect) {
+    begin_panel("tool bar", rect);
+    draw_scene_choice(state);
+    gap();
+    draw_strategy_choice(state);
+    gap();
+    label("Panes");
+    action_button(state, "view.single", "1", {em(1.8f), 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "view.two", "2", {em(1.8f), 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "view.four", "2×2", {em(2.6f), 0});
+    const float help = em(1.9f), right = ImGui::GetWindowContentRegionMax().x;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - help));
+    action_button(state, "help.keys", "?", {help, 0});
+    ImGui::End();
+}
+
+} // namespace penumbra

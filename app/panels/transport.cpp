@@ -1,0 +1,102 @@
+#include "panels/controls.h"
+#include "panels/panels.h"
+#include "panels/words.h"
+#include "verbs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+namespace {
+
+void draw_buttons(AppState &state) {
+    const float size = em(1.9f);
+    icon_button(state, "solve.reset", Icon::to_start, size);
+    ImGui::SameLine(0, 2);
+    icon_button(state, "solve.back", Icon::back, size);
+    ImGui::SameLine(0, 2);
+    icon_button(state, "solve.play", state.playing ? Icon::pause : Icon::play, size);
+    ImGui::SameLine(0, 2);
+    icon_button(state, "solve.step", Icon::forward, size);
+    ImGui::SameLine(0, 2);
+    icon_button(state, "solve.end", Icon::to_end, size);
+    ImGui::SameLine(0, em(0.8f));
+    action_button(state, "solve.sub_step", "Next phase", {0, size});
+}
+
+/// The course as a line of beads, three to an iteration: filled as far as computed, ringed where we stand. A click goes
+/// there.
+void draw_course(AppState &state, float width) {
+    const int last = state.timeline(state.active_strategy()).last();
+    const int n = std::max({last, std::min(state.position, last + phases_per_iteration), 2 * phases_per_iteration});
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float height = em(1.9f), r = 0.24f * em();
+    const float step = std::min(em(2.6f), (width - 4 * r) / static_cast<float>(n));
+    ImGui::InvisibleButton("course", {std::max(width, 1.f), height});
+    mark(state, "course");
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const auto x_of = [&](int p) { return low.x + 2 * r + step * static_cast<float>(p); };
+    const float y = low.y + 0.36f * height;
+    const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.45f), full = ImGui::GetColorU32(ImGuiCol_Text),
+                accent = ImGui::GetColorU32(ImGuiCol_CheckMark);
+    list.AddLine({x_of(0), y}, {x_of(n), y}, faint);
+    if (last > 0)
+        list.AddLine({x_of(0), y}, {x_of(last), y}, full);
+    for (int p = 0; p <= n; ++p) {
+        const bool whole = p % phases_per_iteration == 0;
+        const float radius = std::min(whole ? r : 0.6f * r, 0.45f * step);
+        list.AddCircleFilled({x_of(p), y}, radius, p <= last ? full : faint);
+        const int every = std::max(1, static_cast<int>(std::ceil(em(1.2f) / (3 * step))));
+        if (whole && p / phases_per_iteration % every == 0) {
+            const std::string number = std::to_string(p / phases_per_iteration);
+            list.AddText(nullptr, 0.75f * em(), {x_of(p) - 0.2f * em() * static_cast<float>(number.size()), y + 1.6f * r},
+                         faint, number.c_str());
+        }
+    }
+    const int here = std::min(state.position, n);
+    list.AddCircleFilled({x_of(here), y}, 1.15f * r, accent);
+    list.AddCircle({x_of(here), y}, 1.8f * r, accent, 0, 1.5f);
+    if (!ImGui::IsItemHovered())
+        return;
+    const int over = std::clamp(static_cast<int>(std::lround((ImGui::GetMousePos().x - x_of(0)) / step)), 0, n);
+    tooltip(position_words(over), over <= last ? "Computed; a click goes there." : "A click solves up to here.");
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        state.playing = false;
+        go_to(state, over);
+    }
+}
+
+void draw_work(AppState &state) {
+    if (state.busy) {
+        const double since = std::chrono::duration<double>(Clock::now() - state.busy->since).count();
+        icon_button(state, "solve.cancel", Icon::stop, em(1.9f));
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::Text("%s (%s)  %.1f s", phase_verb(state.busy->position).c_str(), letter(state.busy->strategy), since);
+        return;
+    }
+    float speed = static_cast<float>(state.phases_per_second);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5f * (em(1.9f) - ImGui::GetFrameHeight()));
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::SliderFloat("##speed", &speed, 0.25f, 20, "%.3g phases/s", ImGuiSliderFlags_Logarithmic))
+        state.phases_per_second = speed;
+    mark(state, "speed");
+    tooltip("Speed of playing", "How many phases are shown in a second, at most.");
+}
+
+} // namespace
+
+void draw_transport(AppState &state, const WindowRect &rect) {
+    begin_panel("transport", rect);
+    ImGui::SetCursorPosY(0.5f * (rect.height - em(1.9f)));
+    draw_buttons(state);
+    ImGui::SameLine(0, em(1.2f));
+    const float right = em(12), here = ImGui::GetCursorPosX();
+    draw_course(state, std::max(em(4), ImGui::GetWindowContentRegionMax().x - here - right - em(1)));
+    ImGui::SameLine(0, em(1));
+    draw_work(state);
+    ImGui::End();
+}
+
+} // namespace penumbra

@@ -1,0 +1,118 @@
+#include "render/labels.h"
+
+#include "embedded.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace penumbra {
+namespace {
+
+ImU32 ink(Theme theme, float opacity = 1) {
+    return ImGui::ColorConvertFloat4ToU32(theme == Theme::dark ? ImVec4(0.93f, 0.94f, 0.96f, opacity)
+                                                               : ImVec4(0.07f, 0.08f, 0.1f, opacity));
+}
+
+float width_of(const ImFont *font, float size, const std::string &text) {
+    return font->CalcTextSizeA(size, 1e9f, 0, text.c_str()).x;
+}
+
+/// Joins with middle dots, as many on a line as fit.
+std::vector<std::string> in_lines(const Fonts &fonts, float width, const std::vector<std::string> &items) {
+    std::vector<std::string> lines;
+    for (const std::string &item : items) {
+        const std::string longer = lines.empty() ? item : lines.back() + "  \u00b7  " + item;
+        if (!lines.empty() && width_of(fonts.text, fonts.size, longer) <= width)
+            lines.back() = longer;
+        else
+            lines.push_back(item);
+    }
+    return lines;
+}
+
+std::string counted(std::int64_t n, const char *one, const char *many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+std::string formatted(const char *format, double x) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, x);
+    return text;
+}
+
+/// Three significant digits, never as a power of ten.
+std::string three_digits(double x) {
+    return formatted(x >= 100 ? "%.0f" : x >= 10 ? "%.1f" : x >= 1 ? "%.2f" : x >= 0.1 ? "%.3f" : "%.4f", x);
+}
+
+constexpr float line_height = 1.28f; // of the text height
+constexpr float padding = 0.6f;
+
+constexpr float footnote_size = 0.9f;
+
+} // namespace
+
+Fonts load_fonts(float size) {
+    // Latin, Greek, punctuation, super- and subscripts, arrows, mathematical signs.
+    static const ImWchar ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2000, 0x209f, 0x2190, 0x21ff,
+                                     0x2200, 0x22ff, 0x23e9, 0x23fa, 0x25a0, 0x25ff, 0};
+    const auto load = [&](const char *path) {
+        const std::string_view bytes = embedded(path);
+        ImFontConfig config;
+        config.FontDataOwnedByAtlas = false; // it stays in the program; the atlas only reads it
+        config.OversampleH = size > 24 ? 1 : 2;
+        config.OversampleV = 1;
+        return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<char *>(bytes.data()),
+                                                          static_cast<int>(bytes.size()), size, &config, ranges);
+    };
+    Fonts fonts;
+    fonts.size = size;
+    fonts.text = load("assets/fonts/DejaVuSans.ttf");
+    fonts.bold = load("assets/fonts/DejaVuSans-Bold.ttf");
+    return fonts;
+}
+
+PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
+    const Counters &c = snapshot.counters;
+    PaneLabel label;
+    label.title = (tag.empty() ? "" : tag + " ") + std::string(title(snapshot.options.strategy));
+    if (!is_constant(snapshot.options.strategy))
+        label.title += ", M = " + std::to_string(snapshot.options.order);
+    label.figures = {counted(c.patches, "patch", "patches"), counted(c.coefficients, "coefficient", "coefficients")};
+    if (snapshot.error >= 0)
+        label.figures.push_back("error " + three_digits(100 * snapshot.error) + " %");
+    if (c.iteration > 0 || c.seconds > 0)
+        label.figures.push_back(three_digits(c.seconds) + " s");
+    label.footnote = snapshot.scene + ", " +
+                     (c.iteration == 0 ? "before the first step"
+                                       : "step " + std::to_string(c.iteration) + ", after " + std::string(name(snapshot.phase)));
+    return label;
+}
+
+float pane_label_height(const Fonts &fonts, float width, const PaneLabel &label) {
+    const auto n = in_lines(fonts, width - 2 * padding * fonts.size, label.figures).size();
+    return fonts.size * (padding + line_height * static_cast<float>(n + 1) + 0.2f);
+}
+
+float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label,
+                      Theme theme) {
+    const float em = fonts.size, width = high.x - low.x - 2 * padding * em, x = low.x + padding * em;
+    // A title that is too wide is drawn smaller rather than cut.
+    const float title_size = em * std::min(1.f, width / std::max(1.f, width_of(fonts.bold, em, label.title)));
+    float y = low.y + padding * em;
+    list.PushClipRect(low, high, true);
+    list.AddText(fonts.bold, title_size, {x, y}, ink(theme), label.title.c_str());
+    for (const std::string &line : in_lines(fonts, width, label.figures)) {
+        y += line_height * em;
+        list.AddText(fonts.text, em, {x, y}, ink(theme), line.c_str());
+    }
+    draw_footnote(list, fonts, {x, high.y - (padding + footnote_size) * em}, label, theme);
+    list.PopClipRect();
+    return pane_label_height(fonts, high.x - low.x, label);
+}
+
+void draw_footnote(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const PaneLabel &label, Theme theme) {
+    list.AddText(fonts.text, footnote_size * fonts.size, corner, ink(theme, 0.75f), label.footnote.c_str());
+}
+
+} // namespace penumbra

@@ -1,0 +1,210 @@
+#include "render/labels.h"
+
+#include "render/curve_pass.h"
+#include "render/mesh_pass.h"
+#include "render/tone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <set>
+
+namespace penumbra {
+namespace {
+
+ImU32 ink(const Look &look) {
+    return ImGui::ColorConvertFloat4ToU32(look.theme == Theme::dark ? ImVec4(0.93f, 0.94f, 0.96f, 1)
+                                                                    : ImVec4(0.07f, 0.08f, 0.1f, 1));
+}
+ImVec4 to_imgui(const glm::vec4 &c) { return {c.r, c.g, c.b, c.a}; }
+
+ImVec2 size_of(const Fonts &fonts, float size, const std::string &text) {
+    return fonts.text->CalcTextSizeA(size, 1e9f, 0, text.c_str());
+}
+
+/// Values at 1, 2 or 5 times a power of ten apart, about n of them.
+std::vector<double> ticks(const Range &range, double n) {
+    const double span = range.high - range.low;
+    std::vector<double> values;
+    if (!(span > 0) || !std::isfinite(span))
+        return values;
+    const double power = std::pow(10.0, std::floor(std::log10(span / n)));
+    const double ratio = span / n / power, step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+    for (double k = std::ceil(range.low / step - 1e-9); k * step <= range.high + 1e-9 * span; ++k)
+        values.push_back(k * step);
+    return values;
+}
+
+std::string tick_text(double value, const Range &range) {
+    char text[32];
+    const double span = range.high - range.low;
+    const int decimals = static_cast<int>(std::clamp(std::ceil(-std::log10(span / 5)), 0.0, 6.0));
+    if (span < 1e-5 || span >= 1e6)
+        std::snprintf(text, sizeof text, "%.3g", value);
+    else
+        std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value) < 1e-9 * span ? 0.0 : value);
+    return text;
+}
+
+std::string heading(const Look &look) {
+    std::string text = look.false_colour ? "radiosity, mean of R, G, B [W/m\u00b2]" : "radiosity [W/m\u00b2]";
+    if (look.exposure_ev != 0) {
+        char exposure[32];
+        std::snprintf(exposure, sizeof exposure, ", exposure %+.3g EV", look.exposure_ev);
+        text += exposure;
+    }
+    return text;
+}
+
+/// The bar in thin strips; `strip(i, n)` is the rectangle of the i-th of n from the low end.
+void draw_bar(ImDrawList &list, const Look &look, const Range &range,
+              const std::function<std::pair<ImVec2, ImVec2>(int, int)> &strip) {
+    constexpr int n = 128;
+    for (int i = 0; i < n; ++i) {
+        const auto [low, high] = strip(i, n);
+        const double value = range.low + (range.high - range.low) * (i + 0.5) / n;
+        list.AddRectFilled(low, high, ImGui::ColorConvertFloat4ToU32(shown_colour(look, range, value)));
+    }
+}
+
+} // namespace
+
+ImVec4 shown_colour(const Look &look, const Range &range, double radiosity) {
+    return to_imgui(glm::vec4(shown(look, range, radiosity), 1));
+}
+
+ImVec4 curve_colour(int kind) { return to_imgui(curve_rgba(kind)); }
+
+ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float bar_height, const Look &look,
+                          const Range &range) {
+    const float em = fonts.size, bar = 0.9f * em, gap = 0.35f * em;
+    float text_width = 0;
+    const std::vector<double> marks = ticks(range, std::clamp(bar_height / (2.2f * em), 2.f, 6.f));
+    for (const double v : marks)
+        text_width = std::max(text_width, size_of(fonts, em, tick_text(v, range)).x);
+    const std::string head = heading(look);
+    const float width = std::max(bar + 2 * gap + text_width, size_of(fonts, em, head).x);
+    list.AddText(fonts.text, em, {corner.x - size_of(fonts, em, head).x, corner.y}, ink(look), head.c_str());
+    const float top = corner.y + 1.7f * em, right = corner.x - text_width - 2 * gap, left = right - bar;
+    draw_bar(list, look, range, [&](int i, int n) {
+        const auto y = [&](int k) { return top + bar_height * (1 - static_cast<float>(k) / static_cast<float>(n)); };
+        return std::pair(ImVec2(left, y(i + 1)), ImVec2(right, y(i)));
+    });
+    list.AddRect({left, top}, {right, top + bar_height}, ink(look));
+    for (const double v : marks) {
+        const float y = top + bar_height * static_cast<float>(1 - (v - range.low) / (range.high - range.low));
+        list.AddLine({right, y}, {right + gap, y}, ink(look));
+        list.AddText(fonts.text, em, {right + 2 * gap, y - 0.5f * em}, ink(look), tick_text(v, range).c_str());
+    }
+    return {width, bar_height + 2.3f * em};
+}
+
+ImVec2 draw_colour_legend_lying(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float width, const Look &look,
+                                const Range &range) {
+    const float em = fonts.size, bar = 0.8f * em;
+    list.AddText(fonts.text, em, corner, ink(look), heading(look).c_str());
+    const float top = corner.y + 1.35f * em, left = corner.x;
+    draw_bar(list, look, range, [&](int i, int n) {
+        const auto x = [&](int k) { return left + width * static_cast<float>(k) / static_cast<float>(n); };
+        return std::pair(ImVec2(x(i), top), ImVec2(x(i + 1), top + bar));
+    });
+    list.AddRect({left, top}, {left + width, top + bar}, ink(look));
+    for (const double v : ticks(range, std::clamp(width / (5 * em), 2.f, 6.f))) {
+        const float x = left + width * static_cast<float>((v - range.low) / (range.high - range.low));
+        const std::string text = tick_text(v, range);
+        const float text_width = size_of(fonts, em, text).x;
+        list.AddLine({x, top + bar}, {x, top + bar + 0.25f * em}, ink(look));
+        list.AddText(fonts.text, em,
+                     {std::clamp(x - text_width / 2, left, std::max(left, left + width - text_width)), top + bar + 0.3f * em},
+                     ink(look), text.c_str());
+    }
+    return {width, 1.35f * em + bar + 1.4f * em};
+}
+
+namespace {
+
+struct LegendEntry {
+    ImVec4 colour;
+    float width = 1, dash = 0, drawn = 1;
+    std::string text;
+};
+
+std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const Snapshot *> &snapshots) {
+    static const char *const kinds[] = {"VE: light's corner, blocker's edge", "EV: light's edge, blocker's corner",
+                                        "EEE: three edges", "plane seen edge-on", "contact"};
+    std::vector<LegendEntry> entries;
+    bool uniform = false, cut = false, fresh = false;
+    std::set<std::pair<int, int>> curves;
+    for (const Snapshot *s : snapshots) {
+        for (const SnapshotPatch &p : s->patches)
+            for (const SideKind kind : p.sides) {
+                uniform |= kind == SideKind::uniform;
+                cut |= kind == SideKind::cut;
+                fresh |= p.fresh && kind == SideKind::uniform;
+            }
+        if (s->curves)
+            for (const SnapshotCurve &c : *s->curves)
+                curves.emplace(c.kind, c.order);
+    }
+    const auto add_mesh = [&](SideKind kind, bool is_fresh, const char *text) {
+        entries.push_back({to_imgui(mesh_colour(kind, is_fresh)), mesh_width(kind, is_fresh), 0, 1, text});
+    };
+    if (look.layers.mesh) {
+        if (uniform)
+            add_mesh(SideKind::uniform, false, "uniform split");
+        if (fresh && look.emphasise_fresh)
+            add_mesh(SideKind::uniform, true, "new in this step");
+        if (cut)
+            add_mesh(SideKind::cut, false, "cut along a curve");
+    }
+    if (look.layers.curves)
+        for (const auto &[kind, order] : curves) {
+            const CurveStroke stroke = curve_stroke(order);
+            const std::string jump = order == 0 ? " (value jumps)" : order == 1 ? " (slope jumps)" : "";
+            entries.push_back({curve_colour(kind), stroke.width, stroke.dash, stroke.drawn, kinds[std::clamp(kind, 0, 4)] + jump});
+        }
+    return entries;
+}
+
+/// Places the entries; draws them when there is a list.
+ImVec2 flow(ImDrawList *list, const Fonts &fonts, ImVec2 corner, float width, const Look &look,
+            const std::vector<LegendEntry> &entries) {
+    const float em = fonts.size, swatch = 2.2f * em, gap = 0.45f * em, between = 1.5f * em, line = 1.45f * em;
+    const float scale = em / 15;
+    float x = 0, y = 0, widest = 0;
+    for (const LegendEntry &e : entries) {
+        const float text_width = size_of(fonts, em, e.text).x, all = swatch + gap + text_width;
+        if (x > 0 && x + all > width) {
+            x = 0;
+            y += line;
+        }
+        if (list != nullptr) {
+            // On the grey of a lit floor, where lines look as they do in the picture.
+            const ImVec2 low(corner.x + x, corner.y + y), high(low.x + swatch, low.y + em);
+            list->AddRectFilled(low, high, IM_COL32(178, 178, 178, 255), 0.15f * em);
+            const float middle = low.y + 0.5f * em, period = e.dash > 0 ? e.dash * scale : swatch;
+            for (float start = low.x; start < high.x - 0.5f; start += period)
+                list->AddLine({start, middle}, {std::min(high.x, start + period * (e.dash > 0 ? e.drawn : 1)), middle},
+                              ImGui::ColorConvertFloat4ToU32(e.colour), e.width * scale);
+            list->AddText(fonts.text, em, {high.x + gap, low.y}, ink(look), e.text.c_str());
+        }
+        widest = std::max(widest, x + all);
+        x += all + between;
+    }
+    return entries.empty() ? ImVec2(0, 0) : ImVec2(widest, y + line);
+}
+
+} // namespace
+
+ImVec2 draw_line_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float width, const Look &look,
+                        const std::vector<const Snapshot *> &snapshots) {
+    return flow(&list, fonts, corner, width, look, line_entries(look, snapshots));
+}
+
+ImVec2 line_legend_size(const Fonts &fonts, float width, const Look &look,
+                        const std::vector<const Snapshot *> &snapshots) {
+    return flow(nullptr, fonts, {0, 0}, width, look, line_entries(look, snapshots));
+}
+
+} // namespace penumbra

@@ -1,0 +1,44 @@
+#include "render/look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+std::string_view name(Shading shading) {
+    switch (shading) {
+    case Shading::polynomial:
+        return "polynomial";
+    case Shading::flat:
+        return "flat";
+    case Shading::linear:
+        return "linear";
+    }
+    return "";
+}
+
+std::optional<Shading> shading_from_name(std::string_view text) {
+    for (const Shading shading : {Shading::polynomial, Shading::flat, Shading::linear})
+        if (name(shading) == text)
+            return shading;
+    return std::nullopt;
+}
+
+glm::vec4 background_colour(Theme theme) {
+    return theme == Theme::dark ? glm::vec4(0.105, 0.115, 0.13, 1) : glm::vec4(1, 1, 1, 1);
+}
+
+Range common_range(std::span<const Snapshot *const> snapshots) {
+    double peak = 0, exitance = 0;
+    for (const Snapshot *snapshot : snapshots) {
+        peak = std::max(peak, snapshot->peak);
+        for (const SnapshotSurface &s : snapshot->surfaces)
+            exitance = std::max(exitance, s.exitance.maxCoeff());
+    }
+    if (!(peak > 0))
+        peak = exitance > 0 ? exitance : 1;
+    const double unit = std::pow(10.0, std::floor(std::log10(peak)) - 1);
+    return {0, std::ceil(peak / unit - 1e-9) * unit};
+}
+
+} // namespace penumbra

@@ -1,0 +1,34 @@
+#include "render/mesh_pass.h"
+
+#include "render/styles.h"
+
+namespace penumbra {
+
+glm::vec4 mesh_colour(SideKind kind, bool fresh) {
+    if (kind == SideKind::cut)
+        return {0.03, 0.05, 0.09, 0.95};
+    return fresh ? glm::vec4(0.0, 0.45, 0.85, 0.85) : glm::vec4(0.16, 0.28, 0.45, 0.5);
+}
+
+float mesh_width(SideKind kind, bool) { return kind == SideKind::cut ? 1.6f : 1.f; }
+
+void draw_mesh(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu) {
+    LineStyles styles;
+    for (const SideKind kind : {SideKind::outline, SideKind::uniform, SideKind::cut})
+        for (const bool fresh : {false, true})
+            styles.set(styles::mesh_side(kind, fresh),
+                       mesh_colour(kind, fresh && frame.look.emphasise_fresh && kind != SideKind::outline),
+                       kind == SideKind::outline ? 0.f : mesh_width(kind, fresh));
+    lines.draw(frame, gpu.mesh_lines, styles, 4e-4f);
+}
+
+void draw_outlines(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu) {
+    const bool dark = frame.look.theme == Theme::dark;
+    LineStyles styles;
+    styles.set(styles::outline(SurfaceRole::reflector), dark ? glm::vec4(0.62, 0.66, 0.72, 0.55) : glm::vec4(0.2, 0.22, 0.26, 0.7), 1.f);
+    styles.set(styles::outline(SurfaceRole::emitter), {0.95, 0.62, 0.1, 1}, 2.f);
+    styles.set(styles::outline(SurfaceRole::blocker), dark ? glm::vec4(0.8, 0.83, 0.88, 0.9) : glm::vec4(0.1, 0.12, 0.16, 0.9), 1.5f);
+    lines.draw(frame, gpu.outlines, styles, 1.2e-3f);
+}
+
+} // namespace penumbra

@@ -1,0 +1,28 @@
+// What a mesh of patches with hanging corners looks like as a whole: its sides, each once, and its corner values.
+#pragma once
+
+#include "iteration/snapshot.h"
+
+#include <array>
+#include <vector>
+
+namespace penumbra {
+
+/// A piece of side between two neighbouring corners of the mesh.
+struct MeshSide {
+    int surface = 0;
+    Vec2 from, to;
+    SideKind kind = SideKind::uniform; ///< cut if it is one to either of its patches
+    bool fresh = false;                ///< of a patch made in this iteration
+};
+
+struct MeshSides {
+    std::vector<MeshSide> sides;
+    /// By patch and corner: radiosity there, averaged over the patches of the surface that meet there, by corner or by
+    /// side (Gouraud).
+    std::vector<std::array<Rgb, 4>> corner_values;
+};
+
+MeshSides mesh_sides(const Snapshot &snapshot);
+
+} // namespace penumbra

@@ -1,0 +1,37 @@
+#include "render/overlay.h"
+
+#include "core/error.h"
+
+#include <backends/imgui_impl_opengl3.h>
+
+namespace penumbra {
+
+Overlay::Overlay(int width, int height, float text)
+    : outer_(ImGui::GetCurrentContext()), context_(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(context_); // creating one makes it current only where there was none
+    ImGuiIO &io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DeltaTime = 1;
+    fonts_ = load_fonts(text);
+    if (!ImGui_ImplOpenGL3_Init("#version 410 core"))
+        throw Unavailable("text cannot be drawn with this graphics driver");
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+}
+
+Overlay::~Overlay() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(context_);
+    ImGui::SetCurrentContext(outer_);
+}
+
+ImDrawList &Overlay::list() { return *ImGui::GetBackgroundDrawList(); }
+
+void Overlay::draw() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+} // namespace penumbra

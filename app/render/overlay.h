@@ -1,0 +1,30 @@
+// Text and legends on a framebuffer of our own, by an ImGui context of our own: a window's context is not touched.
+#pragma once
+
+#include "render/labels.h"
+
+#include <memory>
+
+namespace penumbra {
+
+class Overlay {
+public:
+    /// For a framebuffer of this size, with text of this height [pixels]. Needs a current GL context.
+    Overlay(int width, int height, float text);
+    ~Overlay();
+    Overlay(const Overlay &) = delete;
+    Overlay &operator=(const Overlay &) = delete;
+
+    const Fonts &fonts() const { return fonts_; }
+    /// Collects what is to be drawn; coordinates in pixels from the upper left.
+    ImDrawList &list();
+    /// Draws it into the bound framebuffer.
+    void draw();
+
+private:
+    ImGuiContext *outer_;
+    ImGuiContext *context_;
+    Fonts fonts_;
+};
+
+} // namespace penumbra

@@ -1,0 +1,123 @@
+#include "render/pane_renderer.h"
+
+#include "render/curve_pass.h"
+#include "render/glass_pass.h"
+#include "render/gpu_snapshot.h"
+#include "render/link_pass.h"
+#include "render/mesh_pass.h"
+#include "render/surface_pass.h"
+
+#include <cmath>
+
+namespace penumbra {
+
+struct PaneRenderer::Parts {
+    GpuSnapshot gpu;
+    SurfacePass surfaces;
+    GlassPass glass;
+    LinePass lines;
+    gl::VertexArray no_attributes; // shaders fetch what they need by gl_VertexID
+    std::optional<std::uint64_t> version;
+
+    Frame frame(const Camera &camera, const Look &look, const PixelRect &rect, PixelScale pixel_scale) const {
+        const auto to_unit = [&](const glm::dvec3 &x) { return (x - gpu.centre) / gpu.size; };
+        const Camera unit{to_unit(camera.eye), to_unit(camera.target), camera.up, camera.fov_y};
+        const Bounds box{to_unit(gpu.bounds.low), to_unit(gpu.bounds.high)};
+        Frame frame;
+        frame.view = view_matrix(unit);
+        const glm::dmat4 projection = projection_matrix(unit, rect.aspect(), box);
+        frame.projection = projection;
+        frame.eye = unit.eye;
+        frame.viewport = {rect.width, rect.height};
+        frame.near = static_cast<float>(projection[3][2] / (projection[2][2] - 1));
+        frame.pixel = static_cast<float>(2 * std::tan(glm::radians(camera.fov_y) / 2) *
+                                         glm::distance(unit.eye, unit.target) / rect.height);
+        frame.scale = static_cast<float>(pixel_scale.factor);
+        frame.look = look;
+        frame.range = look.range.value_or(gpu.range);
+        return frame;
+    }
+};
+
+PaneRenderer::PaneRenderer() : parts_(std::make_unique<Parts>()) {}
+PaneRenderer::~PaneRenderer() = default;
+
+void PaneRenderer::upload(const Snapshot &snapshot) {
+    if (parts_->version == snapshot.version)
+        return;
+    parts_->gpu.upload(snapshot);
+    parts_->version = snapshot.version;
+}
+
+namespace {
+
+/// Restricts drawing to the rectangle; clears it.
+void open(const PixelRect &rect, int framebuffer_height, const glm::vec4 &background) {
+    const int bottom = framebuffer_height - rect.y - rect.height;
+    glViewport(rect.x, bottom, rect.width, rect.height);
+    glScissor(rect.x, bottom, rect.width, rect.height);
+    glEnable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(background.r, background.g, background.b, background.a);
+    glClearDepth(1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+}
+
+void close() {
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glActiveTexture(GL_TEXTURE0);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+} // namespace
+
+void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect &rect, int framebuffer_height,
+                        PixelScale pixel_scale) {
+    if (rect.width < 1 || rect.height < 1)
+        return;
+    open(rect, framebuffer_height, background_colour(look.theme));
+    if (parts_->version) {
+        const Frame frame = parts_->frame(camera, look, rect, pixel_scale);
+        const GpuSnapshot &gpu = parts_->gpu;
+        glBindVertexArray(parts_->no_attributes.name());
+        gpu.surfaces.bind(0);
+        parts_->surfaces.draw(frame, gpu, false);
+        parts_->glass.draw_covers(frame, gpu);
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glDepthMask(GL_FALSE);
+        if (look.layers.mesh)
+            draw_mesh(parts_->lines, frame, gpu);
+        if (look.layers.curves)
+            draw_curves(parts_->lines, frame, gpu);
+        parts_->glass.draw_glass(frame, gpu);
+        draw_outlines(parts_->lines, frame, gpu);
+        if (look.layers.links)
+            draw_links(parts_->lines, frame, gpu);
+    }
+    close();
+}
+
+void PaneRenderer::draw_values(const Camera &camera, Shading shading, const PixelRect &rect, int framebuffer_height) {
+    open(rect, framebuffer_height, glm::vec4(0));
+    if (parts_->version) {
+        Look look;
+        look.shading = shading;
+        const Frame frame = parts_->frame(camera, look, rect, {});
+        glBindVertexArray(parts_->no_attributes.name());
+        parts_->gpu.surfaces.bind(0);
+        parts_->surfaces.draw(frame, parts_->gpu, true);
+    }
+    close();
+}
+
+} // namespace penumbra

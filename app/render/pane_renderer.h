@@ -1,0 +1,45 @@
+// Draws one solution into one rectangle of the current framebuffer. Needs a current GL 4.1 core context, always the
+// same one.
+#pragma once
+
+#include "iteration/snapshot.h"
+#include "render/camera.h"
+#include "render/look.h"
+
+#include <memory>
+
+namespace penumbra {
+
+/// Pixels of a framebuffer; x from the left, y from the top, downward.
+struct PixelRect {
+    int x = 0, y = 0, width = 0, height = 0;
+    double aspect() const { return height > 0 ? static_cast<double>(width) / height : 1; }
+};
+
+class PaneRenderer {
+public:
+    /// Compiles the passes. Throws Unavailable with the driver's words when it cannot.
+    PaneRenderer();
+    ~PaneRenderer();
+    PaneRenderer(const PaneRenderer &) = delete;
+    PaneRenderer &operator=(const PaneRenderer &) = delete;
+
+    /// Brings the snapshot to the GPU, unless its version is the one that is there.
+    void upload(const Snapshot &snapshot);
+
+    /// Clears the rectangle to the theme's background and draws what was uploaded. `framebuffer_height` [pixels] says
+    /// where the top is. Leaves blending, depth test and scissor off, and no program or vertex array bound. Lines are
+    /// `pixel_scale.factor` pixels wide.
+    void draw(const Camera &camera, const Look &look, const PixelRect &rect, int framebuffer_height,
+              PixelScale pixel_scale = {});
+
+    /// Radiosity of what is seen [W/m2], as red, green and blue, with alpha 1 where there is a surface and 0 where
+    /// there is none; for a framebuffer of floats without multisampling.
+    void draw_values(const Camera &camera, Shading shading, const PixelRect &rect, int framebuffer_height);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace penumbra

@@ -1,0 +1,148 @@
+#include "render/picture.h"
+
+#include "gl/framebuffer.h"
+#include "render/overlay.h"
+#include "render/pane_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+namespace {
+
+/// Where things lie [pixels, y down].
+struct Layout {
+    float text = 15;
+    std::vector<PixelRect> cells; ///< of the panes with their labels
+    std::vector<PixelRect> views; ///< of the drawing below the label
+    PixelRect legend;
+};
+
+float text_height(const PictureSpec &spec) {
+    if (spec.text > 0)
+        return static_cast<float>(spec.text);
+    return static_cast<float>(std::clamp(std::round(std::min(spec.width / (spec.columns > 1 ? 30.0 * spec.columns : 54), spec.height / 42.0)), 11.0, 64.0));
+}
+
+int n_rows(const PictureSpec &spec) { return (static_cast<int>(spec.panes.size()) + spec.columns - 1) / spec.columns; }
+
+Layout layout(const PictureSpec &spec, int legend_height, int label_height) {
+    Layout result;
+    const int gap = spec.panes.size() > 1 ? static_cast<int>(text_height(spec) / 2) : 0, rows = std::max(1, n_rows(spec));
+    const int height = spec.height - legend_height - (rows - 1) * gap, width = spec.width - (spec.columns - 1) * gap;
+    for (int i = 0; i < static_cast<int>(spec.panes.size()); ++i) {
+        const int row = i / spec.columns, column = i % spec.columns;
+        const PixelRect cell{column * (width / spec.columns + gap), row * (height / rows + gap), width / spec.columns,
+                             height / rows};
+        result.cells.push_back(cell);
+        result.views.push_back({cell.x, cell.y + label_height, cell.width, std::max(1, cell.height - label_height)});
+    }
+    result.legend = {0, spec.height - legend_height, spec.width, legend_height};
+    return result;
+}
+
+/// Restores what a window drew into before.
+struct BoundFramebuffer {
+    GLint draw = 0, read = 0;
+    BoundFramebuffer() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    }
+    ~BoundFramebuffer() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    }
+};
+
+bool have_same_footnote(const PictureSpec &spec) {
+    for (const PicturePane &pane : spec.panes)
+        if (pane_label(*pane.snapshot).footnote != pane_label(*spec.panes.front().snapshot).footnote)
+            return false;
+    return true;
+}
+
+/// Heights of the parts that hold text, which depend on how the text breaks into lines.
+struct TextHeights {
+    int legend = 0, label = 0;
+};
+
+TextHeights measure(const PictureSpec &spec, const Fonts &fonts, const std::vector<const Snapshot *> &snapshots) {
+    TextHeights heights;
+    const float em = fonts.size;
+    if (spec.labels)
+        for (const PicturePane &pane : spec.panes) {
+            PaneLabel label = pane_label(*pane.snapshot, pane.tag);
+            heights.label = std::max(heights.label, static_cast<int>(std::ceil(pane_label_height(fonts, static_cast<float>(spec.width / spec.columns) - em, label))));
+        }
+    if (spec.legend) {
+        const float lines = line_legend_size(fonts, 0.52f * static_cast<float>(spec.width), spec.look, snapshots).y;
+        heights.legend = static_cast<int>(std::ceil(std::max(5.1f * em, lines) + 0.7f * em));
+    }
+    return heights;
+}
+
+} // namespace
+
+double pane_aspect(const PictureSpec &spec) {
+    // Text heights are estimated: two lines of label, four of legend.
+    const float em = text_height(spec);
+    const Layout l = layout(spec, spec.legend ? static_cast<int>(5.9f * em) : 0, spec.labels ? static_cast<int>(3.4f * em) : 0);
+    return l.views.empty() ? 1 : l.views.front().aspect();
+}
+
+Image draw_picture(const PictureSpec &spec) {
+    const BoundFramebuffer before;
+    std::vector<const Snapshot *> snapshots;
+    for (const PicturePane &pane : spec.panes)
+        snapshots.push_back(pane.snapshot.get());
+    Look look = spec.look;
+    if (!look.range)
+        look.range = common_range(snapshots);
+
+    const gl::Framebuffer canvas(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 4);
+    const gl::Framebuffer picture(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 1);
+    Overlay overlay(spec.width, spec.height, text_height(spec));
+    const TextHeights heights = measure(spec, overlay.fonts(), snapshots);
+    const Layout l = layout(spec, heights.legend, heights.label);
+    const PixelScale scale{overlay.fonts().size / 15.0};
+
+    canvas.bind();
+    const glm::vec4 background = background_colour(look.theme);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(background.r, background.g, background.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    PaneRenderer renderer;
+    for (std::size_t i = 0; i < spec.panes.size(); ++i) {
+        renderer.upload(*spec.panes[i].snapshot);
+        renderer.draw(spec.camera, look, l.views[i], spec.height, scale);
+    }
+    picture.resolve(canvas);
+
+    const auto corner = [](const PixelRect &r) { return ImVec2(static_cast<float>(r.x), static_cast<float>(r.y)); };
+    ImDrawList &list = overlay.list();
+    const float em = overlay.fonts().size;
+    const bool same_footnote = spec.legend && have_same_footnote(spec);
+    if (spec.labels)
+        for (std::size_t i = 0; i < spec.panes.size(); ++i) {
+            PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag);
+            if (same_footnote) // said once, with the legend
+                label.footnote.clear();
+            const ImVec2 low = corner(l.cells[i]);
+            const ImVec2 high(low.x + static_cast<float>(l.cells[i].width), low.y + static_cast<float>(l.cells[i].height));
+            draw_pane_label(list, overlay.fonts(), low, high, label, look.theme);
+        }
+    if (spec.legend) {
+        const ImVec2 at = corner(l.legend);
+        const float bar_width = 0.34f * static_cast<float>(spec.width);
+        const float below = draw_colour_legend_lying(list, overlay.fonts(), {at.x + em, at.y + 0.4f * em}, bar_width, look, *look.range).y;
+        if (same_footnote && !spec.panes.empty())
+            draw_footnote(list, overlay.fonts(), {at.x + em, at.y + 0.6f * em + below}, pane_label(*snapshots.front()), look.theme);
+        draw_line_legend(list, overlay.fonts(), {at.x + 0.43f * static_cast<float>(spec.width), at.y + 0.4f * em},
+                         0.55f * static_cast<float>(spec.width), look, snapshots);
+    }
+    overlay.draw();
+    picture.bind();
+    return read_pixels(0, 0, spec.width, spec.height);
+}
+
+} // namespace penumbra

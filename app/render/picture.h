@@ -1,0 +1,38 @@
+// A whole picture: panes side by side, labelled, with one legend. The window's pictures and the command line's are both
+// made here.
+#pragma once
+
+#include "capture.h"
+#include "iteration/snapshot.h"
+#include "render/camera.h"
+#include "render/look.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace penumbra {
+
+struct PicturePane {
+    std::shared_ptr<const Snapshot> snapshot;
+    std::string tag; ///< "(a)", or nothing
+};
+
+struct PictureSpec {
+    int width = 1600, height = 1200; ///< pixels
+    std::vector<PicturePane> panes;
+    int columns = 1;
+    Camera camera;      ///< the same in all panes
+    Look look;          ///< without a range: common_range() of all panes
+    double text = 0;    ///< text height [pixels]; 0: from the picture's size
+    bool labels = true, legend = true;
+};
+
+/// Aspect (width / height) of one pane of such a picture, for fitting the camera.
+double pane_aspect(const PictureSpec &spec);
+
+/// Draws in the current context into a framebuffer of its own and reads it back; leaves the bound framebuffer and the
+/// ImGui context as they were.
+Image draw_picture(const PictureSpec &spec);
+
+} // namespace penumbra

@@ -1,0 +1,19 @@
+// Lit fronts of reflectors and emitters: every fragment evaluates its element's polynomial.
+#pragma once
+
+#include "render/frame.h"
+#include "render/gpu_snapshot.h"
+
+namespace penumbra {
+
+class SurfacePass {
+public:
+    SurfacePass();
+    /// `values`: writes radiosity itself [W/m2] in place of colours, for a float target.
+    void draw(const Frame &frame, const GpuSnapshot &gpu, bool values) const;
+
+private:
+    gl::Program program_;
+};
+
+} // namespace penumbra

@@ -1,0 +1,120 @@
+// The thread that solves. The window tells it where the solutions should stand (a goal, the newest counts) and takes
+// what has been computed from a queue; neither side ever waits for the other.
+#pragma once
+
+#include "core/cancel.h"
+#include "iteration/solver.h"
+
+#include <array>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+namespace penumbra {
+
+/// Where the solutions of one run should stand. A run is one scene with one set of options, for all strategies.
+struct Goal {
+    std::uint64_t run = 0;            ///< another number: start anew
+    std::shared_ptr<const Scene> scene;
+    Options options;                  ///< of the run; its strategy is not looked at
+    std::vector<Strategy> strategies; ///< those that are shown
+    int position = 0;                 ///< phases from the start, see timeline.h
+
+    bool operator==(const Goal &o) const {
+        return run == o.run && scene == o.scene && strategies == o.strategies && position == o.position;
+    }
+};
+
+struct Opened { ///< a scene was read
+    std::shared_ptr<const Scene> scene;
+};
+struct Refused { ///< a scene could not be read; one line
+    std::string sentence;
+};
+struct Begun { ///< a phase is being computed
+    std::uint64_t run = 0;
+    Strategy strategy{};
+    int position = 0; ///< that it leads to
+};
+struct Reached { ///< a strategy stands at a new position
+    std::uint64_t run = 0;
+    Strategy strategy{};
+    int position = 0;
+    std::shared_ptr<const Snapshot> snapshot;
+    bool ended = false;
+};
+struct Failed { ///< a strategy can't go on; one line
+    std::uint64_t run = 0;
+    Strategy strategy{};
+    std::string sentence;
+};
+struct Stopped {}; ///< cancelled; what was complete stays
+struct Rested {};  ///< nothing left to do
+using Report = std::variant<Opened, Refused, Begun, Reached, Failed, Stopped, Rested>;
+
+class SolveWorker {
+public:
+    using ReadScene = std::function<std::shared_ptr<const Scene>(const std::string &)>;
+
+    /// `read_scene` throws what its caller should be told; `wake` is called from the worker's thread after each report.
+    SolveWorker(ReadScene read_scene, std::function<void()> wake);
+    /// Cancels and joins.
+    ~SolveWorker();
+    SolveWorker(const SolveWorker &) = delete;
+    SolveWorker &operator=(const SolveWorker &) = delete;
+
+    /// Reads a scene as soon as the present phase is over; the answer is Opened or Refused.
+    void open(std::string name_or_file);
+    /// Takes the place of the goal before. A phase that the new goal has no use for is cancelled.
+    void aim(Goal goal);
+    /// Stops within 100 ms and forgets the goal; the answer is Stopped, also when nothing was going on.
+    void cancel();
+    /// What happened since the last call, in order.
+    std::vector<Report> take_reports();
+
+private:
+    struct Course { ///< one strategy's solver, made when first needed
+        std::unique_ptr<Solver> solver;
+        int position = -1; ///< of the solver; -1: not made yet
+        bool ended = false;
+    };
+    struct Task { ///< one phase of one strategy
+        Goal goal;
+        Strategy strategy{};
+        int position = 0; ///< that it leads to; 0: make the solver
+    };
+
+    void work(const std::stop_token &stop);
+    std::optional<Task> next_task() const;
+    bool still_wanted(const Task &task) const;
+    void advance(const Task &task);
+    void read(const std::string &name);
+    void report(Report report);
+
+    ReadScene read_scene_;
+    std::function<void()> wake_;
+
+    std::mutex mutex_; ///< guards all down to running_
+    std::condition_variable_any changed_;
+    std::optional<Goal> goal_;
+    std::optional<std::string> to_open_;
+    bool cancel_asked_ = false;
+    std::optional<Task> running_;
+
+    std::mutex reports_mutex_;
+    std::vector<Report> reports_;
+
+    std::array<Course, 4> courses_; ///< by strategy; of the worker's thread alone
+    std::uint64_t run_ = 0;         ///< that the courses belong to
+    Cancel cancel_;
+    std::jthread thread_; ///< last: it uses all the above
+};
+
+} // namespace penumbra

@@ -1,0 +1,184 @@
+#include "verbs.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace penumbra {
+
+namespace {
+
+/// The last position at which any shown solution still changes, when all of them have ended.
+int end_position(const AppState &state) {
+    int end = 0;
+    for (const Strategy s : state.shown())
+        end = std::max(end, state.timeline(s).last());
+    return end;
+}
+
+bool all_ended(const AppState &state) {
+    return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.timeline(s).ended; });
+}
+
+bool all_reached(const AppState &state) {
+    return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.timeline(s).reached(state.position); });
+}
+
+std::string end_sentence(const AppState &state) {
+    const auto snapshot = state.timeline(state.active_strategy()).at(end_position(state));
+    if (snapshot && snapshot->counters.converged)
+        return "Converged: another step would change nothing.";
+    return "At the last iteration that is allowed.";
+}
+
+/// What just happened in the active pane.
+void tell(AppState &state) {
+    if (const auto snapshot = state.snapshot(state.active_strategy()))
+        state.message = {snapshot->sentence, false};
+}
+
+void start_anew(AppState &state) {
+    ++state.run;
+    state.timelines = {};
+    state.busy.reset();
+    state.under_cursor.reset();
+    state.halted = false;
+}
+
+void apply(AppState &state, const Opened &opened) {
+    const bool same = state.scene && state.scene->name == opened.scene->name;
+    state.scene = opened.scene;
+    state.opening.clear();
+    state.playing = false;
+    state.position = 0;
+    start_anew(state);
+    if (!same)
+        state.camera_is_set = false;
+    state.message = {"Opened " + opened.scene->name + ": " + std::to_string(opened.scene->n_surfaces()) + " surfaces." +
+                         (opened.scene->notes.empty() ? "" : " " + opened.scene->notes.front()),
+                     false};
+}
+
+void apply(AppState &state, const Refused &refused) {
+    state.opening.clear();
+    state.message = {refused.sentence, true};
+}
+
+void apply(AppState &state, const Begun &begun) {
+    if (begun.run == state.run)
+        state.busy = Busy{begun.strategy, begun.position, Clock::now()};
+}
+
+void apply(AppState &state, const Reached &reached) {
+    if (reached.run != state.run)
+        return;
+    Timeline &timeline = state.timeline(reached.strategy);
+    timeline.moments.resize(static_cast<std::size_t>(reached.position));
+    timeline.moments.push_back(reached.snapshot);
+    timeline.ended = reached.ended;
+    state.busy.reset();
+    state.fresh_since = Clock::now();
+    if (state.position > 0 && reached.strategy == state.active_strategy())
+        tell(state);
+    if (state.position > end_position(state) && all_ended(state)) {
+        state.position = end_position(state);
+        state.playing = false;
+        state.message = {end_sentence(state), false};
+    }
+}
+
+void apply(AppState &state, const Failed &failed) {
+    if (failed.run != state.run)
+        return;
+    state.timeline(failed.strategy).ended = true;
+    state.busy.reset();
+    state.playing = false;
+    state.message = {failed.sentence, true};
+}
+
+void apply(AppState &state, const Stopped &) {
+    state.busy.reset();
+    state.opening.clear();
+    // Linked panes go back to the last step that all of them have.
+    for (const Strategy s : state.shown())
+        if (!state.timeline(s).ended)
+            state.position = std::clamp(state.position, 0, std::max(0, state.timeline(s).last()));
+    state.message = {"Cancelled; this is the last complete state.", false};
+}
+
+void apply(AppState &state, const Rested &) { state.busy.reset(); }
+
+} // namespace
+
+std::optional<Goal> goal(const AppState &state) {
+    if (!state.scene || state.halted)
+        return std::nullopt;
+    return Goal{state.run, state.scene, state.options, state.shown(), state.position};
+}
+
+bool at_end(const AppState &state) { return all_ended(state) && state.position >= end_position(state); }
+
+void go_to(AppState &state, int position) {
+    state.halted = false;
+    state.hint_done = state.hint_done || position > 0;
+    if (position > state.position && at_end(state)) {
+        state.playing = false;
+        state.message = {end_sentence(state), false};
+        return;
+    }
+    position = std::max(0, position);
+    state.position = all_ended(state) ? std::min(position, end_position(state)) : position;
+    state.fresh_since = Clock::now();
+    if (all_reached(state))
+        tell(state);
+}
+
+double advance_play(AppState &state, Clock::time_point now) {
+    if (!state.playing)
+        return -1;
+    if (at_end(state)) {
+        state.playing = false;
+        state.message = {end_sentence(state), false};
+        return -1;
+    }
+    if (!all_reached(state))
+        return -1; // the worker's report wakes us
+    const double shown_for = std::chrono::duration<double>(now - state.fresh_since).count();
+    const double wait = 1 / state.phases_per_second - shown_for;
+    if (wait > 0)
+        return wait;
+    go_to(state, state.position + 1);
+    return all_reached(state) ? 1 / state.phases_per_second : -1;
+}
+
+void set_options(AppState &state, const Options &options) {
+    state.options = options;
+    start_anew(state);
+    state.message = {"Starting anew with these options.", false};
+}
+
+void set_strategy(AppState &state, Strategy strategy) {
+    state.panes().strategies[static_cast<std::size_t>(state.panes().active)] = strategy;
+    state.halted = false;
+    state.message = {std::string(title(strategy)) + ".", false};
+}
+
+void set_layout(AppState &state, Layout layout) {
+    state.layout = layout;
+    state.halted = false;
+}
+
+void reset_view(AppState &state) { state.camera_is_set = false; }
+
+void fit_view(AppState &state) {
+    if (const auto snapshot = state.snapshot(state.active_strategy())) {
+        state.camera = fit(state.camera, *snapshot, state.pane_aspect);
+        state.camera_moved = true;
+        state.pivot.reset();
+    }
+}
+
+void apply(AppState &state, const Report &report) {
+    std::visit([&](const auto &r) { apply(state, r); }, report);
+}
+
+} // namespace penumbra

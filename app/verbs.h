@@ -1,0 +1,44 @@
+// What can be done to the state; every action, button and key ends in one of these.
+#pragma once
+
+#include "app_state.h"
+#include "solve_worker.h"
+
+#include <optional>
+
+namespace penumbra {
+
+/// Where the worker should stand; nothing when there is no scene or the user has cancelled.
+std::optional<Goal> goal(const AppState &state);
+
+/// Asks for another position (never below 0), for all panes. Beyond the end of every shown solution there is nothing:
+/// the position stays there and the message says why.
+void go_to(AppState &state, int position);
+/// Whether every shown strategy has come to its end at or before the position.
+bool at_end(const AppState &state);
+/// Goes on by one phase when playing, all panes have arrived and the pace allows. Returns how long to wait until it
+/// should be asked again [s]; negative: no need to.
+double advance_play(AppState &state, Clock::time_point now);
+
+/// Throws away what was computed and starts anew with these options; the position asked for stays.
+void set_options(AppState &state, const Options &options);
+/// Shows this strategy in the active pane.
+void set_strategy(AppState &state, Strategy strategy);
+void set_layout(AppState &state, Layout layout);
+void reset_view(AppState &state);
+void fit_view(AppState &state);
+
+constexpr Strategy strategy_of(bool cuts, bool constant) {
+    return cuts ? (constant ? Strategy::discontinuity_constant : Strategy::discontinuity_wavelet)
+                : (constant ? Strategy::uniform_constant : Strategy::uniform_wavelet);
+}
+/// (a) to (d), as the paper calls the strategies.
+constexpr const char *letter(Strategy s) {
+    constexpr const char *letters[] = {"a", "b", "c", "d"};
+    return letters[static_cast<std::size_t>(s)];
+}
+
+/// Takes over what the worker says. Reports of an earlier run are dropped.
+void apply(AppState &state, const Report &report);
+
+} // namespace penumbra

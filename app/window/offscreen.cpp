@@ -1,0 +1,49 @@
+#include "window/offscreen.h"
+
+#include "core/error.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <string>
+
+namespace penumbra {
+
+struct Offscreen::Parts {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+
+    ~Parts() {
+        if (display == EGL_NO_DISPLAY)
+            return;
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context != EGL_NO_CONTEXT)
+            eglDestroyContext(display, context);
+        eglTerminate(display);
+    }
+};
+
+Offscreen::Offscreen() : parts_(std::make_unique<Parts>()) {
+    const auto require = [](bool ok, const char *what) {
+        if (!ok)
+            throw Unavailable(std::string("no off-screen drawing here: ") + what +
+                              "; a software driver will do (Debian: libegl1 and libgl1-mesa-dri)");
+    };
+    require(epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"),
+            "EGL has no surfaceless platform");
+    parts_->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    EGLint major = 0, minor = 0;
+    require(parts_->display != EGL_NO_DISPLAY && eglInitialize(parts_->display, &major, &minor) == EGL_TRUE,
+            "EGL does not start");
+    require(eglBindAPI(EGL_OPENGL_API) == EGL_TRUE, "EGL has no desktop OpenGL");
+    const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,       4, EGL_CONTEXT_MINOR_VERSION,           1,
+                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    parts_->context = eglCreateContext(parts_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
+    require(parts_->context != EGL_NO_CONTEXT, "the driver has no OpenGL 4.1 core");
+    require(eglMakeCurrent(parts_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, parts_->context) == EGL_TRUE,
+            "the context cannot be made current");
+}
+
+Offscreen::~Offscreen() = default;
+
+} // namespace penumbra

@@ -1,0 +1,104 @@
+#include "window/pane_canvas.h"
+
+#include "gl/framebuffer.h"
+
+#include <cmath>
+#include <optional>
+
+namespace penumbra {
+
+namespace {
+
+constexpr int samples = 4; // what llvmpipe offers at most; lines one pixel wide need them
+
+/// All that a pane's picture depends on.
+struct Shown {
+    std::uint64_t version = 0;
+    Camera camera;
+    Look look;
+    PixelRect rect;
+};
+
+bool same(const Camera &a, const Camera &b) {
+    return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y == b.fov_y;
+}
+bool same(const Look &a, const Look &b) {
+    return a.shading == b.shading && a.layers.mesh == b.layers.mesh && a.layers.curves == b.layers.curves &&
+           a.layers.links == b.layers.links && a.exposure_ev == b.exposure_ev && a.range == b.range &&
+           a.false_colour == b.false_colour && a.emphasise_fresh == b.emphasise_fresh && a.theme == b.theme;
+}
+bool same(const PixelRect &a, const PixelRect &b) {
+    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+bool same(const Shown &a, const Shown &b) {
+    return a.version == b.version && same(a.camera, b.camera) && same(a.look, b.look) && same(a.rect, b.rect);
+}
+
+PixelRect pixels(const WindowRect &r, double ratio) {
+    const auto at = [&](float x) { return static_cast<int>(std::lround(static_cast<double>(x) * ratio)); };
+    return {at(r.x), at(r.y), at(r.x + r.width) - at(r.x), at(r.y + r.height) - at(r.y)};
+}
+
+} // namespace
+
+struct PaneCanvas::Parts {
+    std::array<PaneRenderer, 4> renderers;
+    std::array<std::optional<Shown>, 4> shown;
+    std::optional<gl::Framebuffer> sampled, kept;
+    Theme theme = Theme::dark;
+    std::size_t n = 0;
+
+    void resize(int width, int height) {
+        if (kept && kept->width() == width && kept->height() == height)
+            return;
+        shown = {};
+        sampled.emplace(width, height, gl::Framebuffer::Colour::srgb8, samples);
+        kept.emplace(width, height, gl::Framebuffer::Colour::srgb8, 1);
+        clear();
+    }
+    void clear() {
+        sampled->bind();
+        const float level = theme == Theme::dark ? 0.16f : 0.8f; // of the lines between panes
+        glClearColor(level, level, level, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        shown = {};
+    }
+};
+
+PaneCanvas::PaneCanvas() : parts_(std::make_unique<Parts>()) {}
+PaneCanvas::~PaneCanvas() = default;
+
+int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement &arrangement, int width, int height,
+                     double pixel_ratio) {
+    Parts &p = *parts_;
+    p.resize(width, height);
+    if (p.theme != look.theme || p.n != arrangement.pane.size()) {
+        p.theme = look.theme;
+        p.n = arrangement.pane.size();
+        p.clear();
+    }
+    int drawn = 0;
+    const auto strategies = state.shown();
+    for (std::size_t i = 0; i < strategies.size(); ++i) {
+        const auto snapshot = state.snapshot(strategies[i]);
+        if (!snapshot)
+            continue; // what was there stays until the new solution is ready
+        const Shown now{snapshot->version, state.camera, look, pixels(arrangement.pane[i], pixel_ratio)};
+        if (p.shown[i] && same(*p.shown[i], now))
+            continue;
+        p.sampled->bind();
+        p.renderers[i].upload(*snapshot);
+        p.renderers[i].draw(state.camera, look, now.rect, height, {pixel_ratio * state.ui_scale});
+        p.shown[i] = now;
+        ++drawn;
+    }
+    if (drawn > 0)
+        p.kept->resolve(*p.sampled);
+    p.kept->bind();
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return drawn;
+}
+
+} // namespace penumbra

@@ -1,0 +1,31 @@
+// The panes' scenes, drawn only when what they show has changed and kept off the screen in between, so that a moving
+// mouse costs no more than the interface.
+#pragma once
+
+#include "app_state.h"
+#include "panels/arrangement.h"
+#include "render/pane_renderer.h"
+
+#include <array>
+#include <memory>
+
+namespace penumbra {
+
+class PaneCanvas {
+public:
+    PaneCanvas();
+    ~PaneCanvas();
+    PaneCanvas(const PaneCanvas &) = delete;
+    PaneCanvas &operator=(const PaneCanvas &) = delete;
+
+    /// Draws into the default framebuffer, of this size [pixels]; `pixel_ratio` is pixels to a screen coordinate.
+    /// Returns how many panes had to be drawn anew.
+    int draw(const AppState &state, const Look &look, const Arrangement &arrangement, int width, int height,
+             double pixel_ratio);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace penumbra

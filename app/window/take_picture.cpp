@@ -1,0 +1,58 @@
+#include "window/take_picture.h"
+
+#include "capture.h"
+#include "files/pictures_folder.h"
+#include "files/state_text.h"
+#include "render/picture.h"
+#include "verbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <string>
+
+namespace penumbra {
+
+namespace {
+
+constexpr double slide_width = 1920; ///< pixels that a picture of the panes has at least
+
+Image panes_picture(const AppState &state, int width, int height) {
+    PictureSpec spec;
+    const double scale = std::max(1.0, slide_width / width);
+    spec.width = static_cast<int>(std::lround(scale * width));
+    spec.height = static_cast<int>(std::lround(scale * height));
+    spec.columns = state.layout == Layout::single ? 1 : 2;
+    for (const Strategy s : state.shown())
+        spec.panes.push_back({state.snapshot(s), std::string("(") + letter(s) + ")"});
+    spec.camera = state.camera;
+    spec.look = state.look;
+    spec.look.emphasise_fresh = false;
+    spec.legend = !state.legend_hidden;
+    return draw_picture(spec);
+}
+
+bool all_known(const AppState &state) {
+    return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.snapshot(s) != nullptr; });
+}
+
+} // namespace
+
+void take_picture(AppState &state, PictureRequest request, int width, int height) {
+    if (request == PictureRequest::panes && !all_known(state)) {
+        state.message = {"There is nothing to take a picture of yet.", false};
+        return;
+    }
+    try {
+        const Image image =
+            request == PictureRequest::panes ? panes_picture(state, width, height) : read_pixels(0, 0, width, height);
+        const auto file = numbered_name(pictures_folder(), "penumbra");
+        write_png(file, image, saved_state_text(state));
+        state.last_picture = file.string();
+        state.message = {"Saved " + file.string(), false};
+    } catch (const std::exception &e) {
+        state.message = {e.what(), true};
+    }
+}
+
+} // namespace penumbra

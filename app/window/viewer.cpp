@@ -1,0 +1,233 @@
+#include "window/viewer.h"
+
+#include "action.h"
+#include "core/atomic_write.h"
+#include "files/state_text.h"
+#include "panels/panels.h"
+#include "verbs.h"
+#include "window/take_picture.h"
+#include "window/theme.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace penumbra {
+
+namespace {
+
+constexpr double text_height = 15; ///< screen coordinates at scale 1
+constexpr double fresh_seconds = 2.5; ///< how long new patches stand out
+
+AppState first_state(const ViewerSetup &setup) {
+    AppState state;
+    state.options = setup.options;
+    state.bundled_scenes = setup.bundled_scenes;
+    state.scene = setup.scene;
+    state.inert = setup.inert;
+    state.pane_sets[0].strategies[0] = setup.options.strategy;
+    return state;
+}
+
+/// The view that the scene's file asks for, from farther away in a pane too narrow for it; else one that shows all.
+Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect) {
+    if (!scene.view)
+        return default_view(snapshot, aspect, scene.up);
+    const auto vector = [](const Vec3 &v) { return glm::dvec3(v.x(), v.y(), v.z()); };
+    const Camera camera{vector(scene.view->eye), vector(scene.view->target), vector(scene.up), scene.view->fov_degrees};
+    constexpr double meant_for = 4.0 / 3;
+    return aspect < meant_for ? zoom(camera, meant_for / aspect, camera.target) : camera;
+}
+
+double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+/// The sooner of two waits, of which a negative one is endless.
+double sooner(double a, double b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
+
+} // namespace
+
+Viewer::Viewer(ViewerSetup setup)
+    : setup_(std::move(setup)), state_(first_state(setup_)),
+      window_("Penumbra", setup_.width, setup_.height,
+              {[this](const std::string &key) { on_key(key); },
+               [this](const std::string &file) { state_.open_request = file; }}),
+      worker_(setup_.read_scene, GlfwWindow::wake) {}
+
+void Viewer::run() {
+    while (!state_.quit_request && !window_.should_close()) {
+        window_.wait(frames_owed_ > 0 ? 0 : wait_time());
+        take_reports();
+        serve_requests();
+        if (window_.take_touched())
+            frames_owed_ = 2;
+        if (state_.busy || state_.playing)
+            frames_owed_ = std::max(frames_owed_, 1);
+        if (frames_owed_ <= 0)
+            continue;
+        --frames_owed_;
+        draw_frame();
+        serve_requests();
+        write_state();
+    }
+}
+
+void Viewer::on_key(const std::string &key) {
+    if (const Action *action = action_on_key(key))
+        penumbra::run(*action, state_);
+}
+
+void Viewer::take_reports() {
+    for (const Report &report : worker_.take_reports()) {
+        if (std::holds_alternative<Stopped>(report) && cancelled_at_)
+            state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
+        apply(state_, report);
+        frames_owed_ = 2;
+    }
+}
+
+/// Passes on to the worker what the actions have asked for.
+void Viewer::serve_requests() {
+    if (auto name = std::exchange(state_.open_request, std::nullopt)) {
+        state_.opening = *name;
+        worker_.open(std::move(*name));
+        frames_owed_ = 2;
+    }
+    if (std::exchange(state_.cancel_request, false)) {
+        cancelled_at_ = Clock::now();
+        worker_.cancel();
+        aimed_.reset();
+    }
+    if (auto now = goal(state_); now && now != aimed_) {
+        aimed_ = now;
+        worker_.aim(std::move(*now));
+    }
+}
+
+/// How long nothing will change unless an event comes; negative: for ever.
+double Viewer::wait_time() {
+    double wait = advance_play(state_, Clock::now());
+    serve_requests();
+    if (state_.busy)
+        wait = sooner(wait, 0.1); // its clock runs
+    if (state_.look.emphasise_fresh) {
+        const double left = fresh_seconds - seconds_since(state_.fresh_since);
+        if (left > 0)
+            wait = sooner(wait, left + 0.01);
+        else if (left > -0.1)
+            frames_owed_ = std::max(frames_owed_, 1);
+    }
+    return wait;
+}
+
+void Viewer::set_first_view() {
+    const auto snapshot = state_.snapshot(state_.active_strategy());
+    // A view that nobody has touched follows the pane's shape.
+    const bool fits = state_.camera_moved || std::abs(state_.pane_aspect / state_.first_aspect - 1) < 0.01;
+    if ((state_.camera_is_set && fits) || !snapshot || !state_.scene)
+        return;
+    state_.camera = first_view(*state_.scene, *snapshot, state_.pane_aspect);
+    state_.first_aspect = state_.pane_aspect;
+    state_.camera_is_set = true;
+    state_.camera_moved = false;
+    state_.pivot.reset();
+}
+
+/// One range for all panes and all steps that were computed so far, so that stepping does not change the scale.
+void Viewer::update_range() {
+    std::vector<const Snapshot *> snapshots;
+    for (const Strategy s : state_.shown())
+        for (const auto &moment : state_.timeline(s).moments)
+            if (moment && moment->peak > 0)
+                snapshots.push_back(moment.get());
+    if (snapshots.empty())
+        for (const Strategy s : state_.shown())
+            if (!state_.timeline(s).moments.empty())
+                snapshots.push_back(state_.timeline(s).moments.front().get());
+    if (!snapshots.empty())
+        state_.look.range = common_range(snapshots);
+}
+
+/// The look as it is drawn now: what is new stands out for a moment only.
+Look Viewer::look_now() const {
+    Look look = state_.look;
+    look.emphasise_fresh = look.emphasise_fresh && seconds_since(state_.fresh_since) < fresh_seconds;
+    return look;
+}
+
+void Viewer::update_fonts() {
+    const double scale = state_.ui_scale * window_.content_scale(), ratio = window_.pixel_ratio();
+    const auto height = static_cast<float>(std::round(text_height * scale));
+    if (fonts_scale_ != scale * ratio) {
+        window_.replace_fonts([&] { fonts_ = load_fonts(static_cast<float>(std::round(text_height * scale * ratio))); });
+        ImGui::GetIO().FontGlobalScale = static_cast<float>(1 / ratio);
+        fonts_.size = height;
+        fonts_scale_ = scale * ratio;
+        theme_.reset();
+    }
+    if (theme_ != state_.look.theme) {
+        set_theme(state_.look.theme, height);
+        theme_ = state_.look.theme;
+    }
+}
+
+void Viewer::draw_frame() {
+    update_fonts();
+    window_.begin_frame();
+    state_.widgets.clear();
+    if (!state_.panels_hidden)
+        draw_menu_bar(state_);
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float top = state_.panels_hidden ? 0 : ImGui::GetFrameHeight();
+    const Arrangement arrangement = arrange(state_, size.x, size.y, top, ImGui::GetFontSize());
+    state_.pane_aspect = static_cast<double>(arrangement.pane[0].width / arrangement.pane[0].height);
+    set_first_view();
+    update_range();
+    draw_panels(arrangement);
+    set_first_view(); // where a panel has asked for it
+
+    int width = 0, height = 0;
+    window_.framebuffer_size(width, height);
+    if (width > 0 && height > 0)
+        canvas_.draw(state_, look_now(), arrangement, width, height, window_.pixel_ratio());
+    window_.draw_interface();
+    take_pictures();
+    window_.swap();
+}
+
+void Viewer::draw_panels(const Arrangement &arrangement) {
+    draw_panes(state_, arrangement, fonts_);
+    if (!state_.panels_hidden) {
+        draw_tool_bar(state_, arrangement.tool_bar);
+        draw_side_panel(state_, arrangement.side);
+        draw_transport(state_, arrangement.transport);
+        draw_status_bar(state_, arrangement.status);
+    }
+    draw_hint(state_, arrangement.panes);
+    draw_error(state_, arrangement.panes);
+    draw_open_dialog(state_);
+    draw_help(state_);
+}
+
+void Viewer::take_pictures() {
+    const auto request = std::exchange(state_.picture_request, std::nullopt);
+    if (!request)
+        return;
+    int width = 0, height = 0;
+    window_.framebuffer_size(width, height);
+    take_picture(state_, *request, width, height);
+    frames_owed_ = 2;
+}
+
+void Viewer::write_state() {
+    if (setup_.state_file.empty() || frames_owed_ > 0)
+        return;
+    std::string text = observed_state_text(state_);
+    if (text == written_state_)
+        return;
+    write_atomically(setup_.state_file, text);
+    written_state_ = std::move(text);
+}
+
+} // namespace penumbra

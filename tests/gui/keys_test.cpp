@@ -1,0 +1,171 @@
+// Every action of the registry, by its first key, in the real window: what it must change is written here, and the same
+// keys must change nothing when actions are made to do nothing (the control).
+#include "gui/session.h"
+
+#include "action.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace penumbra::gui {
+namespace {
+
+/// What an action must change: a place in the reported state (JSON pointer) and, where it can be said beforehand, the
+/// value found there afterwards. `before` are actions that make the ground for it.
+struct Expected {
+    std::string place;
+    Json after; ///< null: anything else than before
+    std::vector<std::string> before;
+};
+
+const std::map<std::string, Expected> &expectations() {
+    static const std::map<std::string, Expected> all{
+        {"file.open", {"/open_dialog", true, {}}},
+        {"file.picture", {"/picture", nullptr, {}}},
+        {"file.window_picture", {"/picture", nullptr, {}}},
+        {"solve.play", {"/playing", true, {"solve.reset"}}},
+        {"solve.step", {"/position", 3, {"solve.reset"}}},
+        {"solve.sub_step", {"/position", 1, {"solve.reset"}}},
+        {"solve.back", {"/position", 0, {"solve.reset", "solve.step"}}},
+        {"solve.sub_back", {"/position", 2, {"solve.reset", "solve.step"}}},
+        {"solve.reset", {"/position", 0, {"solve.sub_step"}}},
+        {"solve.end", {"/panes/0/converged", true, {"solve.reset"}}},
+        {"solve.cancel", {"/playing", false, {"solve.reset", "solve.play"}}},
+        {"strategy.a", {"/strategies/0", "uniform-constant", {}}},
+        {"strategy.b", {"/strategies/0", "discontinuity-constant", {}}},
+        {"strategy.c", {"/strategies/0", "uniform-wavelet", {}}},
+        {"strategy.d", {"/strategies/0", "discontinuity-wavelet", {"strategy.a"}}},
+        {"strategy.meshing", {"/strategies/0", "uniform-wavelet", {"strategy.d"}}},
+        {"strategy.basis", {"/strategies/0", "discontinuity-constant", {"strategy.d"}}},
+        {"view.single", {"/layout", "single", {"view.two"}}},
+        {"view.two", {"/layout", "two", {}}},
+        {"view.four", {"/layout", "four", {}}},
+        {"view.next_pane", {"/active", nullptr, {"view.two"}}},
+        {"view.fit", {"/camera/eye", nullptr, {}}},
+        {"view.reset", {"/camera/eye", nullptr, {"view.fit"}}},
+        {"view.brighter", {"/exposure", 0.5, {"view.exposure_0"}}},
+        {"view.darker", {"/exposure", -0.5, {"view.exposure_0"}}},
+        {"view.exposure_0", {"/exposure", 0.0, {"view.brighter"}}},
+        {"view.panels", {"/panels_hidden", true, {}}},
+        {"view.theme", {"/background", "light", {}}},
+        {"view.larger", {"/ui_scale", nullptr, {}}},
+        {"view.smaller", {"/ui_scale", nullptr, {}}},
+        {"layers.mesh", {"/layers/mesh", false, {}}},
+        {"layers.curves", {"/layers/curves", false, {}}},
+        {"layers.links", {"/layers/links", true, {}}},
+        {"layers.fresh", {"/layers/fresh", false, {}}},
+        {"layers.polynomial", {"/shading", "polynomial", {"layers.flat"}}},
+        {"layers.flat", {"/shading", "flat", {}}},
+        {"layers.linear", {"/shading", "linear", {}}},
+        {"layers.false_colour", {"/false_colour", true, {}}},
+        {"layers.legend", {"/layers/legend", false, {}}},
+        {"help.keys", {"/help", true, {}}},
+    };
+    return all;
+}
+
+/// Left again afterwards by the same key, so that it can't disturb what follows.
+const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme",
+                                     "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
+                                     "layers.false_colour", "layers.legend", "help.keys"};
+
+/// The registry's words in xdotool's.
+std::string xdotool_key(std::string key) {
+    std::string modifiers;
+    for (const auto &[word, name] : {std::pair<std::string, std::string>{"Ctrl+", "ctrl+"}, {"Shift+", "shift+"}})
+        if (key.starts_with(word)) {
+            modifiers += name;
+            key = key.substr(word.size());
+        }
+    const std::map<std::string, std::string> names{{"Space", "space"}, {"?", "question"}, {"+", "plus"}, {"-", "minus"}};
+    if (const auto found = names.find(key); found != names.end())
+        key = found->second;
+    if (key.size() == 1)
+        key[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])));
+    return modifiers + key;
+}
+
+void press(Session &session, const std::string &id) {
+    const Action *action = find_action(id);
+    ASSERT_NE(action, nullptr) << id;
+    session.key(xdotool_key(std::string(action->keys.front())));
+}
+
+Json at(const Json &state, const std::string &place) {
+    const Json::json_pointer pointer(place);
+    return state.contains(pointer) ? state.at(pointer) : Json();
+}
+
+TEST(Keys, EveryActionIsTested) {
+    for (const Action &action : actions())
+        if (action.id != "file.quit") // has a test of its own
+            EXPECT_TRUE(expectations().contains(std::string(action.id))) << action.id << " has no test";
+    for (const auto &[id, expected] : expectations())
+        EXPECT_NE(find_action(id), nullptr) << id << " is no action";
+}
+
+TEST(Keys, EveryActionDoesWhatItSays) {
+    Session session;
+    for (const auto &[id, expected] : expectations()) {
+        SCOPED_TRACE(id);
+        for (const std::string &earlier : expected.before) {
+            press(session, earlier);
+            if (earlier != "solve.play")
+                session.settled();
+        }
+        const Json before = at(session.state(), expected.place);
+        if (!expected.after.is_null()) {
+            EXPECT_NE(before, expected.after) << expected.place << " holds the value already: the test would prove nothing";
+        }
+        press(session, id);
+        session.wait_until(id + " changes " + expected.place, [&](const Json &s) {
+            const Json now = at(s, expected.place);
+            return expected.after.is_null() ? now != before : now == expected.after;
+        });
+        if (switches.contains(id))
+            press(session, id);
+        if (id.starts_with("view.") && id != "view.single")
+            press(session, "view.single");
+        if (id.starts_with("strategy."))
+            press(session, "strategy.d");
+        session.settled();
+    }
+}
+
+TEST(Keys, TheControlFails) {
+    Session session({"--inert"});
+    for (const auto &[id, expected] : expectations()) {
+        SCOPED_TRACE(id);
+        const Json before = at(session.state(), expected.place);
+        press(session, id);
+        session.settled();
+        EXPECT_EQ(at(session.state(), expected.place), before);
+    }
+}
+
+TEST(Keys, CtrlQEndsTheProgram) {
+    Session session;
+    session.key("ctrl+q");
+    EXPECT_EQ(session.program().wait(10), 0);
+}
+
+TEST(Keys, AKeyInATextFieldIsText) {
+    Session session;
+    session.key("ctrl+o");
+    session.wait_until("the dialog", [](const Json &s) { return s["open_dialog"] == true; });
+    session.settled();
+    const Json before = session.state();
+    session.type("me1?");
+    session.settled();
+    EXPECT_EQ(session.state()["layers"], before["layers"]);
+    EXPECT_EQ(session.state()["strategies"], before["strategies"]);
+    EXPECT_EQ(session.state()["exposure"], before["exposure"]);
+    EXPECT_EQ(session.state()["help"], false);
+    session.key("Escape");
+    session.wait_until("no dialog", [](const Json &s) { return s["open_dialog"] == false; });
+}
+
+} // namespace
+} // namespace penumbra::gui

@@ -1,0 +1,68 @@
+// The real window on a virtual display, driven by xdotool as a hand would, and the state that it reports.
+#pragma once
+
+#include "gui/process.h"
+#include "gui/screen.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace penumbra::gui {
+
+using Json = nlohmann::json;
+
+struct Point {
+    double x = 0, y = 0;
+};
+
+class Session {
+public:
+    /// Starts the viewer and waits until its first picture is there. HOME and all XDG folders are new and empty.
+    explicit Session(std::vector<std::string> arguments = {}, int width = 1280, int height = 800);
+    ~Session();
+    Session(const Session &) = delete;
+    Session &operator=(const Session &) = delete;
+
+    /// The last state that was written.
+    Json state() const;
+    /// Waits until it holds; fails the test with `what` and the last state when it does not within `seconds`.
+    Json wait_until(const std::string &what, const std::function<bool(const Json &)> &holds, double seconds = 30);
+    /// Waits until nothing is computed and nothing changes any more.
+    Json settled();
+
+    /// Names as xdotool has them: "Right", "shift+Right", "question".
+    void key(const std::string &name);
+    void type(const std::string &text);
+    void move(Point p);
+    /// Buttons: 1 left, 2 middle, 3 right, 4 wheel up, 5 wheel down.
+    void click(Point p, int button = 1, int times = 1);
+    void drag(Point from, Point to, int button = 1, const std::string &modifier = "");
+    void drop(const std::filesystem::path &file);
+
+    /// Where a control stands; fails the test when it is not shown.
+    Box widget(const std::string &name) const;
+    void click(const std::string &widget_name);
+    Point middle(const std::string &widget_name) const;
+    Screenshot shot();
+
+    Process &program() { return *program_; }
+    const std::filesystem::path &home() const { return home_; }
+    const std::filesystem::path &folder() const { return work_; } ///< that the program was started in
+
+private:
+    void xdotool(std::vector<std::string> words) const;
+
+    std::filesystem::path root_, home_, work_;
+    std::unique_ptr<Screen> screen_;
+    std::unique_ptr<Process> program_;
+    std::string window_;
+};
+
+} // namespace penumbra::gui

@@ -1,0 +1,217 @@
+// The program as scripts see it: exit statuses, where output goes, what is in the files.
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+std::string text(const fs::path &file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Result {
+    int status;
+    std::string out, err;
+};
+
+class CommandLine : public testing::Test {
+protected:
+    void SetUp() override {
+        folder = fs::temp_directory_path() / ("penumbra-cli-" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    std::string in_folder(const std::string &arguments) const {
+        return "cd '" + folder.string() + "' && exec '" PENUMBRA_PROGRAM "' " + arguments + " >.out 2>.err";
+    }
+    Result run(const std::string &arguments) const {
+        const int status = std::system(in_folder(arguments).c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(folder / ".out"), text(folder / ".err")};
+    }
+    void write(const std::string &name, const std::string &content) const { std::ofstream(folder / name) << content; }
+    nlohmann::json record(const std::string &name) const { return nlohmann::json::parse(text(folder / name)); }
+
+    fs::path folder;
+};
+
+TEST_F(CommandLine, HelpAndVersionAreData) {
+    EXPECT_EQ(run("--help").status, 0);
+    EXPECT_THAT(run("--help").out, HasSubstr("scenes"));
+    EXPECT_THAT(run("--version").out, testing::MatchesRegex("penumbra [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+    EXPECT_THAT(run("solve -h").out, HasSubstr("--threshold"));
+    EXPECT_THAT(run("solve -h").err, IsEmpty());
+}
+
+TEST_F(CommandLine, WrongUseIsTwoAndOneLine) {
+    for (const char *wrong : {"solve", "solve figure-4 --order 5", "solve figure-4 --order x", "solve figure-4 --bogus",
+                              "solve figure-4 --strategy best", "solve figure-4 --threshold 0",
+                              "solve figure-4 --threshold nan", "solve figure-4 more", "solve figure-4 --probe p.csv",
+                              "solve figure-4 --max-depth -1", "curves figure-4", "solve figure-4 --up w"}) {
+        const Result result = run(wrong);
+        EXPECT_EQ(result.status, 2) << wrong;
+        EXPECT_THAT(result.err, StartsWith("penumbra: ")) << wrong;
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << wrong << ": " << result.err;
+        EXPECT_THAT(result.out, IsEmpty()) << wrong;
+    }
+}
+
+TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
+    for (const char *option : {"--tolerance 0.01", "--basis planar", "--effect colour=on", "--memory-limit 100"}) {
+        const Result result = run(std::string("solve figure-4 ") + option);
+        EXPECT_EQ(result.status, 2) << option;
+        EXPECT_THAT(result.err, HasSubstr("still to come")) << option;
+    }
+    EXPECT_EQ(run("cost figure-4 -o x").status, 2);
+    EXPECT_EQ(run("check").status, 2);
+}
+
+TEST_F(CommandLine, BadInputIsThree) {
+    write("white.obj", "mtllib white.mtl\nusemtl w\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("white.mtl", "newmtl w\nKd 1 1 1\n");
+    for (const char *bad : {"solve none.obj", "solve .", "solve white.obj", "curves white.obj -o c.csv"}) {
+        const Result result = run(bad);
+        EXPECT_EQ(result.status, 3) << bad;
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << bad;
+    }
+    EXPECT_THAT(run("solve white.obj").err, HasSubstr("white.obj:6: material 'w': reflectance (Kd) 1"));
+}
+
+TEST_F(CommandLine, WhatCannotBeWrittenIsFive) {
+    for (const char *place : {"none/a.json", ".", "/dev/full"})
+        EXPECT_EQ(run(std::string("solve furnace --max-depth 0 -o ") + place).status, 5) << place;
+}
+
+TEST_F(CommandLine, ScenesAreListed) {
+    const Result result = run("scenes");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(std::ranges::count(result.out, '\n'), 7);
+    EXPECT_THAT(result.out, HasSubstr("cornell-box"));
+}
+
+TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
+    const Result result = run("solve figure-4 --threads 1 -o r.json");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, IsEmpty());
+    EXPECT_THAT(result.err, IsEmpty()) << "no bar where there is no terminal";
+    const auto json = record("r.json");
+    for (const char *key : {"scene", "strategy", "basis", "order", "threshold", "tolerance", "threads", "version",
+                            "iterations", "final", "effects", "diagnostics"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    for (const char *key : {"iteration", "patches", "coefficients", "links", "kernel_evaluations", "clips", "rays",
+                            "refine_s", "gather_s", "push_pull_s", "change"})
+        EXPECT_TRUE(json["iterations"].at(0).contains(key)) << key;
+    for (const char *key : {"converged", "patches", "coefficients", "links", "nodes_at_limit", "sampled_visibility",
+                            "kernel_evaluations", "clips", "rays", "seconds", "peak_memory_mib", "estimated_error",
+                            "error_bound"})
+        EXPECT_TRUE(json["final"].contains(key)) << key;
+    for (const char *key : {"energy_balance_error", "min_radiosity", "max_filter_condition", "non_finite"})
+        EXPECT_TRUE(json["diagnostics"].contains(key)) << key;
+    EXPECT_EQ(json["scene"], "figure-4");
+    EXPECT_EQ(json["strategy"], "discontinuity-wavelet");
+    EXPECT_EQ(json["threads"], 1);
+    EXPECT_EQ(json["final"]["converged"], true);
+    EXPECT_EQ(json["diagnostics"]["non_finite"], 0);
+    EXPECT_TRUE(json["tolerance"].is_null());
+}
+
+TEST_F(CommandLine, TheRecordGoesToStandardOutputUnlessNamed) {
+    const Result result = run("solve furnace --max-depth 0");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(nlohmann::json::accept(result.out));
+}
+
+TEST_F(CommandLine, TooFewIterationsAreFourAndStillWritten) {
+    const Result result = run("solve furnace --max-depth 0 --max-iterations 1 -o r.json");
+    EXPECT_EQ(result.status, 4);
+    EXPECT_THAT(result.err, HasSubstr("fixed point"));
+    EXPECT_EQ(record("r.json")["iterations"].size(), 1U);
+    EXPECT_EQ(record("r.json")["final"]["converged"], false);
+}
+
+// A closed box whose walls emit 1 and reflect half has 2 everywhere.
+TEST_F(CommandLine, ProbesReadTheSolution) {
+    write("in.csv", "x,y,z,nx,ny,nz\r\n0.3,0.4,0,0,0,1\r\n0.3,0.4,1,0,0,-2\n0.3,0.4,0.5,0,0,1\n0.3,0.4,0,0,0,-1\n");
+    ASSERT_EQ(run("solve furnace -q -o r.json --probe in.csv --probe-output out.csv").status, 0);
+    std::istringstream lines(text(folder / "out.csv"));
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(lines, line);)
+        rows.push_back(line);
+    ASSERT_EQ(rows.size(), 5U);
+    EXPECT_EQ(rows[0], "x,y,z,nx,ny,nz,r,g,b");
+    for (std::size_t i : {1U, 2U})
+        EXPECT_NEAR(std::stod(rows[i].substr(rows[i].rfind(',') + 1)), 2, 0.01) << rows[i];
+    EXPECT_EQ(rows[3], "0.3,0.4,0.5,0,0,1,nan,nan,nan") << "in the air";
+    EXPECT_EQ(rows[4], "0.3,0.4,0,0,0,-1,nan,nan,nan") << "from behind";
+}
+
+TEST_F(CommandLine, BadProbesAreThreeBeforeAnythingIsSolved) {
+    for (const char *bad : {"x,y,z\n1,2,3\n", "x,y,z,nx,ny,nz\n1,2,3,0,0\n", "x,y,z,nx,ny,nz\n1,2,nan,0,0,1\n",
+                            "x,y,z,nx,ny,nz\n1,2,3,0,0,0\n", ""}) {
+        write("in.csv", bad);
+        EXPECT_EQ(run("solve furnace -o r.json --probe in.csv --probe-output out.csv").status, 3) << bad;
+        EXPECT_FALSE(fs::exists(folder / "r.json"));
+    }
+}
+
+TEST_F(CommandLine, CurvesAreRowsOfPolylines) {
+    ASSERT_EQ(run("curves figure-4 -o c.csv --svg drawings").status, 0);
+    std::istringstream lines(text(folder / "c.csv"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "curve,kind,order,source,receiver,x,y,z,blockers");
+    int n = 0;
+    while (std::getline(lines, line) && ++n)
+        EXPECT_EQ(std::ranges::count(line, ','), 8) << line;
+    EXPECT_GE(n, 4) << "two ends of two lines at least";
+    EXPECT_THAT(text(folder / "drawings" / "receiver-0.svg"), StartsWith("<svg"));
+}
+
+/// Starts a solution that takes minutes, sends the signal, and waits.
+int status_after(int signal, const std::string &command, double *seconds) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        ::_exit(99);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    const auto start = std::chrono::steady_clock::now();
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    *seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(CommandLine, InterruptsStillWriteTheLastCompleteSolution) {
+    double seconds = 0;
+    const std::string slow = "solve cornell-box --threshold 1e-7 --max-depth 12 -o ";
+    EXPECT_EQ(status_after(SIGINT, in_folder(slow + "int.json"), &seconds), 130);
+    EXPECT_LT(seconds, 2);
+    EXPECT_EQ(record("int.json")["final"]["converged"], false);
+    EXPECT_EQ(status_after(SIGTERM, in_folder(slow + "term.json"), &seconds), 143);
+    EXPECT_TRUE(record("term.json").contains("final"));
+}
+
+TEST_F(CommandLine, TheTimeLimitIsFour) {
+    const Result result = run("solve cornell-box --threshold 1e-7 --max-depth 12 --time-limit 1 -o r.json");
+    EXPECT_EQ(result.status, 4);
+    EXPECT_THAT(result.err, HasSubstr("time limit"));
+    EXPECT_TRUE(record("r.json").contains("final"));
+}
+
+} // namespace
