@@ -105,6 +105,9 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
             }
         }
     }
+    // Not on the border, where the source's plane may cut the element's.
+    for (Vec2 &point : found)
+        point = p.basis.centre() + 0.98 * (point - p.basis.centre());
     if (found.size() <= most)
         return found;
     std::vector<Vec2> thinned;
