@@ -29,14 +29,14 @@ Axes axes(const Camera &camera) {
 
 /// Corners of the subject; of everything when there is no such surface.
 std::vector<glm::dvec3> corners_to_show(const Snapshot &snapshot, Subject subject) {
-    std::vector<glm::dvec3> lit, all;
+    std::vector<glm::dvec3> shown, all;
     for (const SnapshotSurface &s : snapshot.surfaces)
         for (const Vec2 &p : s.outline) {
             all.push_back(to_glm(to_space(s, p)));
-            if (role(s) == SurfaceRole::reflector || (subject == Subject::lit_and_lamps && role(s) == SurfaceRole::emitter))
-                lit.push_back(all.back());
+            if (role(s) != (subject == Subject::lit_and_lamps ? SurfaceRole::blocker : SurfaceRole::emitter))
+                shown.push_back(all.back());
         }
-    return lit.empty() ? all : lit;
+    return shown.empty() ? all : shown;
 }
 
 /// Direction from the room's middle to its open side, of several alike the one nearest to `front`; nothing where there
