@@ -31,6 +31,7 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
         record.iterations = iterate(solver, solving.options.max_iterations, interrupt.cancel(), progress);
         // The error is against an exact solution that takes its time: not after an interrupt.
         record.solution = solver.snapshot(interrupt.exit_status() == done);
+        record.health = health(*scene, *solver.state());
     } catch (const Cancelled &) { // while the curves were made: there is no solution yet
     }
     deliver(common.output, to_json(record));

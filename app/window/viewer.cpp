@@ -64,6 +64,7 @@ void Viewer::run() {
 }
 
 void Viewer::on_key(const std::string &key) {
+    ++state_.inputs;
     if (const Action *action = action_on_key(key))
         penumbra::run(*action, state_);
 }

@@ -58,6 +58,7 @@ bool covered(const Surface &surface, const Vec2 &p) {
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair) {
     constexpr std::size_t most = 24;
+    constexpr double on_plane = 1e-6; // of the unit scene
     const PlaneFrame &frame = scene.surface(p.surface).frame;
     const Polygon &outline = p.basis.outline();
     std::vector<Vec2> found;
@@ -80,11 +81,13 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
             const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
             for (const Vec3 &from : source.corners) {
                 // The middle of what of this edge's shadow falls on the element.
-                Polygon line;
                 double low = 0, high = 1;
                 const double above = frame.height(from);
                 const double ha = above - frame.height(a), hc = above - frame.height(c);
-                if (ha <= 1e-9 || hc <= 1e-9 || frame.height(a) < 0 || frame.height(c) < 0)
+                if (ha <= 1e-9 || hc <= 1e-9 || frame.height(a) < -on_plane || frame.height(c) < -on_plane)
+                    continue;
+                // Where a blocker stands on the receiver the transfer jumps: the edge itself has no value to test.
+                if (frame.height(a) < on_plane && frame.height(c) < on_plane)
                     continue;
                 const Vec2 s = frame.to_plane(from + (above / ha) * (a - from));
                 const Vec2 t = frame.to_plane(from + (above / hc) * (c - from));
