@@ -19,6 +19,7 @@ namespace penumbra {
 namespace {
 
 constexpr double text_height = 15; ///< screen coordinates at scale 1
+constexpr int frames_to_settle = 3; ///< ImGui takes a focus in one frame, shows it in the next, and says so in the third
 constexpr double fresh_seconds = 2.5; ///< how long new patches stand out
 
 AppState first_state(const ViewerSetup &setup) {
@@ -61,7 +62,7 @@ void Viewer::run() {
         take_reports();
         serve_requests();
         if (window_.take_touched())
-            frames_owed_ = 2;
+            frames_owed_ = frames_to_settle;
         if (state_.busy || state_.playing)
             frames_owed_ = std::max(frames_owed_, 1);
         if (frames_owed_ <= 0)
@@ -84,7 +85,7 @@ void Viewer::take_reports() {
         if (std::holds_alternative<Stopped>(report) && cancelled_at_)
             state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
         apply(state_, report);
-        frames_owed_ = 2;
+        frames_owed_ = frames_to_settle;
     }
 }
 
@@ -93,7 +94,7 @@ void Viewer::serve_requests() {
     if (auto name = std::exchange(state_.open_request, std::nullopt)) {
         state_.opening = *name;
         worker_.open(std::move(*name));
-        frames_owed_ = 2;
+        frames_owed_ = frames_to_settle;
     }
     if (std::exchange(state_.cancel_request, false)) {
         cancelled_at_ = Clock::now();
@@ -180,7 +181,7 @@ void Viewer::draw_frame() {
     if (!state_.panels_hidden)
         draw_menu_bar(state_);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float top = state_.panels_hidden ? 0 : ImGui::GetFrameHeight();
+    const float top = state_.panels_hidden ? 0 : std::ceil(ImGui::GetFrameHeight()); // whole pixels
     const Arrangement arrangement = arrange(state_, size.x, size.y, top, ImGui::GetFontSize());
     state_.pane_aspect = static_cast<double>(arrangement.pane[0].width / arrangement.pane[0].height);
     set_first_view();
@@ -218,7 +219,7 @@ void Viewer::take_pictures() {
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
     take_picture(state_, *request, width, height);
-    frames_owed_ = 2;
+    frames_owed_ = frames_to_settle;
 }
 
 void Viewer::write_state() {

@@ -54,8 +54,7 @@ TEST(Files, APathIsTyped) {
     session.key("ctrl+o");
     session.wait_until("the dialog", [](const Json &s) { return s["open_dialog"] == true; });
     session.settled();
-    session.type(file.string());
-    session.key("Return");
+    session.type(file.string() + "\n");
     session.wait_until("the scene", [](const Json &s) { return s["scene"] == "typed"; });
 }
 
