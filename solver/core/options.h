@@ -31,7 +31,7 @@ struct Options {
     /// Polynomials of degree < order in each parameter, 1 to 4; the two constant strategies take 1 whatever stands here.
     int order = 4;
     /// Largest misfit that the oracle lets pass, as a fraction of the largest reflected radiosity B - E.
-    double threshold = 0.01;
+    double threshold = 0.02;
     /// Halvings of both directions below a surface's convex part; the paper's experiment allows 6.
     int max_depth = 6;
     int max_iterations = 100;

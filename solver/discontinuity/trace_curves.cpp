@@ -4,6 +4,7 @@
 #include "discontinuity/merge_curves.h"
 #include "discontinuity/source_view.h"
 #include "discontinuity/trace_contacts.h"
+#include "discontinuity/trace_horizon.h"
 #include "discontinuity/trace_planes.h"
 #include "discontinuity/trace_wedges.h"
 
@@ -34,6 +35,7 @@ std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId 
     std::vector<Curve> curves;
     trace_source_corners(scene, view, curves);
     trace_source_edges(scene, view, curves);
+    trace_horizon(scene, view, curves);
     trace_planes(scene, view, curves);
     trace_contacts(scene, view, curves);
     return merge_curves(curves);

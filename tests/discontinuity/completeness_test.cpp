@@ -1,0 +1,74 @@
+// Complete and real curves on bundled scenes and on configurations that rooms are full of.
+#include "completeness.h"
+#include "random_rooms.h"
+
+#include "scene/bundled.h"
+
+#include <gtest/gtest.h>
+
+namespace penumbra {
+namespace {
+
+/// The check itself must notice what it is there for.
+TEST(Completeness, NoticesACurveThatIsMissing) {
+    const Scene scene = open_scene("slanted-edge");
+    CheckedPair pair(scene, SurfaceId(1), SurfaceId(0));
+    ASSERT_FALSE(pair.curves().empty());
+    pair.curves().pop_back();
+    Tally tally;
+    std::mt19937 random(1);
+    pair.look_for_changes(20, random, tally);
+    EXPECT_LT(tally.n_explained, 0.995 * tally.n_changes);
+}
+
+TEST(Completeness, NoticesACurveThatIsNotReal) {
+    const Scene scene = open_scene("slanted-edge");
+    CheckedPair pair(scene, SurfaceId(1), SurfaceId(0));
+    ASSERT_FALSE(pair.curves().empty());
+    pair.curves().front().to += Vec2(0.01, 0);
+    Tally tally;
+    pair.walk_curves(24, tally);
+    EXPECT_LT(tally.real_length, 0.99 * tally.length);
+}
+
+/// A lamp at the top of a shaft in the ceiling: walls hang from all its edges.
+TEST(Completeness, RecessedLamp) {
+    ObjText text;
+    text.face({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, "grey");
+    const Corners lamp{{-0.4, -0.3, 2}, {-0.4, 0.5, 2}, {0.6, 0.4, 2}, {0.5, -0.5, 2}};
+    text.face(lamp, "lamp");
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 a = lamp[i], b = lamp[(i + 1) % 4], down(0, 0, -0.5);
+        text.face({a, b, b + down, a + down}, "black");
+    }
+    expect_complete(check_scene(text.scene(), 40));
+}
+
+/// The lamp hangs in the middle of a ceiling, in its plane, and a wall hangs from the ceiling through the lamp.
+TEST(Completeness, LampInACeilingAndAWallThatHangsAcrossIt) {
+    ObjText text;
+    text.face({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, "grey");
+    text.face({{-2, -2, 2}, {-2, 2, 2}, {2, 2, 2}, {2, -2, 2}}, "grey");
+    text.face({{-0.5, -0.5, 2}, {-0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, -0.5, 2}}, "lamp");
+    text.face({{0.2, -0.3, 2}, {0.1, 0.8, 2}, {0.1, 0.8, 1.5}, {0.2, -0.3, 1.5}}, "black");
+    expect_complete(check_scene(text.scene(), 40));
+}
+
+TEST(Completeness, ConcaveLampAndConcaveBlocker) {
+    ObjText text;
+    text.face({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, "grey");
+    text.face(
+        {{-0.5, -0.5, 2}, {-0.5, 0.5, 2}, {-0.1, 0.5, 2.1}, {-0.1, -0.1, 2.1}, {0.5, -0.1, 2.25}, {0.5, -0.5, 2.25}},
+        "lamp");
+    text.face({{-0.4, -0.3, 1.1}, {0.55, -0.35, 1}, {0.6, 0.4, 1.08}, {0.1, -0.1, 1.06}, {-0.45, 0.5, 1.2}}, "black");
+    expect_complete(check_scene(text.scene(), 40));
+}
+
+TEST(Completeness, SlantedEdge) { expect_complete(check_scene(open_scene("slanted-edge"), 20)); }
+TEST(Completeness, Figure4) { expect_complete(check_scene(open_scene("figure-4"), 20)); }
+TEST(Completeness, Stairs) { expect_complete(check_scene(open_scene("stairs"), 10)); }
+TEST(Completeness, CornellBox) { expect_complete(check_scene(open_scene("cornell-box"), 8)); }
+TEST(Completeness, BoxOnFloor) { expect_complete(check_scene(open_scene("box-on-floor"), 20)); }
+
+} // namespace
+} // namespace penumbra
