@@ -19,7 +19,8 @@ namespace penumbra {
 namespace {
 
 constexpr double text_height = 15; ///< screen coordinates at scale 1
-constexpr int frames_to_settle = 3; ///< ImGui takes a focus in one frame, shows it in the next, and says so in the third
+/// ImGui may need one frame for the press of a button, one for its release, and one more for what follows from it.
+constexpr int frames_to_settle = 4;
 constexpr double fresh_seconds = 2.5; ///< how long new patches stand out
 
 AppState first_state(const ViewerSetup &setup) {
@@ -99,8 +100,11 @@ void Viewer::serve_requests() {
 
 /// How long nothing will change unless an event comes; negative: for ever.
 double Viewer::wait_time() {
+    const bool played = state_.playing;
     double wait = advance_play(state_, Clock::now());
     serve_requests();
+    if (played != state_.playing)
+        frames_owed_ = frames_to_settle;
     if (state_.busy)
         wait = sooner(wait, 0.1); // its clock runs
     if (state_.look.emphasise_fresh) {
@@ -110,7 +114,7 @@ double Viewer::wait_time() {
         else if (left > -0.1)
             frames_owed_ = std::max(frames_owed_, 1);
     }
-    return wait;
+    return frames_owed_ > 0 ? 0 : wait;
 }
 
 void Viewer::set_first_view() {

@@ -54,7 +54,8 @@ TEST(Files, APathIsTyped) {
     session.key("ctrl+o");
     session.wait_until("the dialog", [](const Json &s) { return s["open_dialog"] == true; });
     session.settled();
-    session.type(file.string() + "\n");
+    session.type(file.string());
+    session.enter();
     session.wait_until("the scene", [](const Json &s) { return s["scene"] == "typed"; });
 }
 

@@ -74,7 +74,8 @@ TEST_F(BusyTest, AnotherSceneTakesOver) {
     session.key("ctrl+o");
     session.wait_until("the dialog", [](const Json &s) { return s["open_dialog"] == true; });
     session.settled();
-    session.type("figure-4\n");
+    session.type("figure-4");
+    session.enter();
     session.wait_until("the scene", [](const Json &s) { return s["scene"] == "figure-4" && !s["busy"]; });
 }
 
