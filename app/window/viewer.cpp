@@ -176,7 +176,8 @@ void Viewer::draw_frame() {
         draw_menu_bar(state_);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float top = state_.panels_hidden ? 0 : std::ceil(ImGui::GetFrameHeight()); // whole pixels
-    const Arrangement arrangement = arrange(state_, size.x, size.y, top, ImGui::GetFontSize());
+    const Arrangement arrangement = arrange(
+        state_, size.x, size.y, top, ImGui::GetFontSize(), [this](float width) { return legend_height(width); });
     state_.pane_aspect = static_cast<double>(arrangement.pane[0].width / arrangement.pane[0].height);
     set_first_view();
     update_range();
@@ -190,6 +191,17 @@ void Viewer::draw_frame() {
     window_.draw_interface();
     take_pictures();
     window_.swap();
+}
+
+float Viewer::legend_height(float width) const {
+    std::vector<std::shared_ptr<const Snapshot>> kept;
+    std::vector<const Snapshot *> snapshots;
+    for (const Strategy s : state_.shown())
+        if (auto snapshot = state_.snapshot(s)) {
+            snapshots.push_back(snapshot.get());
+            kept.push_back(std::move(snapshot));
+        }
+    return line_legend_size(fonts_, width, state_.look, snapshots).y;
 }
 
 void Viewer::draw_panels(const Arrangement &arrangement) {

@@ -42,7 +42,8 @@ TEST_F(ShownTest, NothingChangesByItself) {
 
 TEST_F(ShownTest, MeshAndCurvesAppearAndGo) {
     session.key("1"); // many patches
-    session.settled();
+    session.key("End");
+    session.wait_until("the end", [](const Json &s) { return s["panes"][0].value("converged", false); }, 120);
     const double mesh = change_by("m");
     EXPECT_GT(mesh, 0.003);
     EXPECT_LT(mesh, 0.5);
@@ -59,11 +60,14 @@ TEST_F(ShownTest, ShadingsDiffer) {
 }
 
 TEST_F(ShownTest, ExposureBrightensTheScene) {
-    const double dark = brightness(session.shot(), pane);
-    for (int i = 0; i < 3; ++i)
-        session.key("e");
-    session.wait_until("the exposure", [](const Json &s) { return s["exposure"] == 1.5; });
-    EXPECT_GT(brightness(session.shot(), pane), dark + 3);
+    const auto at_exposure = [&](const std::string &key, double exposure) {
+        for (int i = 0; i < 12 && session.state()["exposure"] != exposure; ++i)
+            session.key(key);
+        session.wait_until("the exposure", [&](const Json &s) { return s["exposure"] == exposure; });
+        return brightness(session.shot(), pane);
+    };
+    const double dark = at_exposure("shift+e", -2);
+    EXPECT_GT(at_exposure("e", 2), dark + 5);
 }
 
 TEST_F(ShownTest, StrategiesAreSideBySide) {
