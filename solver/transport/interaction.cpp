@@ -54,20 +54,23 @@ bool covered(const Surface &surface, const Vec2 &p) {
 }
 
 /// Where shadows fall on p: the centres of the blockers as seen from the source's centre (a shadow smaller than the
-/// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end).
+/// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end). Drawn in
+/// as test points are: on a border that lies in the source's plane (a box that stands on the source) T has no value.
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair) {
     constexpr std::size_t most = 24;
     const PlaneFrame &frame = scene.surface(p.surface).frame;
     const Polygon &outline = p.basis.outline();
     std::vector<Vec2> found;
+    const Vec2 middle_of_p = p.basis.centre();
+    const auto add = [&](const Vec2 &at) { found.push_back(at + 0.02 * (middle_of_p - at)); };
     const auto project = [&](const Vec3 &from, const Vec3 &through) {
         const double above = frame.height(from), between = frame.height(through);
         if (between <= 0 || above <= between)
             return;
         const Vec2 at = frame.to_plane(from + (above / (above - between)) * (through - from));
         if (contains(outline, at))
-            found.push_back(at);
+            add(at);
     };
     const Vec3 centre = source.frame.to_space(centroid(source.outline));
     for (const PairBlocker &b : pair) {
@@ -98,7 +101,7 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
                         high = std::min(high, vs / (vs - vt));
                 }
                 if (low < high)
-                    found.push_back(s + (low + high) / 2 * (t - s));
+                    add(s + (low + high) / 2 * (t - s));
             }
         }
     }
