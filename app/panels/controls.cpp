@@ -183,7 +183,9 @@ ImGuiWindowFlags panel_flags() {
 void begin_panel(const char *name, const WindowRect &rect) {
     ImGui::SetNextWindowPos({rect.x, rect.y});
     ImGui::SetNextWindowSize({rect.width, rect.height});
-    ImGui::Begin(name, nullptr, panel_flags());
+    const bool bar = rect.height < em(4); // a bar that is one line high never scrolls
+    ImGui::Begin(name, nullptr,
+                 panel_flags() | (bar ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0));
 }
 
 } // namespace penumbra

@@ -111,6 +111,15 @@ Camera default_view(const Snapshot &snapshot, double aspect, const Vec3 &up) {
     return fit(camera, snapshot, aspect);
 }
 
+Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect) {
+    if (!scene.view)
+        return default_view(snapshot, aspect, scene.up);
+    const Camera camera{to_glm(scene.view->eye), to_glm(scene.view->target), glm::normalize(to_glm(scene.up)),
+                        scene.view->fov_degrees};
+    constexpr double meant_for = 4.0 / 3;
+    return aspect < meant_for ? zoom(camera, meant_for / aspect, camera.target) : camera;
+}
+
 Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect) {
     const std::vector<glm::dvec3> corners = corners_to_show(snapshot);
     if (corners.empty())

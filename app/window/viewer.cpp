@@ -31,16 +31,6 @@ AppState first_state(const ViewerSetup &setup) {
     return state;
 }
 
-/// The view that the scene's file asks for, from farther away in a pane too narrow for it; else one that shows all.
-Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect) {
-    if (!scene.view)
-        return default_view(snapshot, aspect, scene.up);
-    const auto vector = [](const Vec3 &v) { return glm::dvec3(v.x(), v.y(), v.z()); };
-    const Camera camera{vector(scene.view->eye), vector(scene.view->target), vector(scene.up), scene.view->fov_degrees};
-    constexpr double meant_for = 4.0 / 3;
-    return aspect < meant_for ? zoom(camera, meant_for / aspect, camera.target) : camera;
-}
-
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
 /// The sooner of two waits, of which a negative one is endless.
@@ -74,6 +64,7 @@ void Viewer::run() {
 }
 
 void Viewer::on_key(const std::string &key) {
+    ++state_.inputs;
     if (const Action *action = action_on_key(key))
         penumbra::run(*action, state_);
 }

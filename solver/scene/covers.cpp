@@ -1,5 +1,7 @@
 #include "scene/covers.h"
 
+#include "geometry/convex_pieces.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,24 +33,14 @@ bool coplanar(const Surface &a, const Surface &b) {
     return std::abs(a.frame.normal.dot(b.frame.normal)) > 0.999 && within(a, b) && within(b, a);
 }
 
-/// `subject` on the left of the line from a to b (Sutherland & Hodgman 1974).
-Polygon left_of(const Polygon &subject, const Vec2 &a, const Vec2 &b) {
-    Polygon out;
-    const auto side = [&](const Vec2 &p) { return cross(b - a, p - a); };
-    for (std::size_t i = 0; i < subject.size(); ++i) {
-        const Vec2 &p = subject[i], &q = subject[(i + 1) % subject.size()];
-        const double dp = side(p), dq = side(q);
-        if (dp >= 0)
-            out.push_back(p);
-        if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0))
-            out.push_back(p + dp / (dp - dq) * (q - p));
-    }
-    return out;
-}
-
 Polygon intersection(Polygon subject, const Polygon &window) {
-    for (std::size_t i = 0; i < window.size() && !subject.empty(); ++i)
-        subject = left_of(subject, window[i], window[(i + 1) % window.size()]);
+    Polygon inside, outside;
+    for (const HalfPlane &h : half_planes(window)) {
+        if (subject.empty())
+            break;
+        split(subject, h, inside, outside);
+        subject.swap(inside);
+    }
     return subject;
 }
 

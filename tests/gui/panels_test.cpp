@@ -30,7 +30,7 @@ TEST_F(PanelsTest, TransportButtons) {
 TEST_F(PanelsTest, AClickOnTheCourseGoesThere) {
     click("solve.step", [](const Json &s) { return s["position"] == 3; });
     const Box course = session.widget("course");
-    session.click({course.x + 9.0, course.y + 0.36 * course.height});
+    session.click(Point{course.x + 9.0, course.y + 0.36 * course.height});
     session.wait_until("the start", [](const Json &s) { return s["position"] == 0; });
 }
 

@@ -37,7 +37,7 @@ public:
     /// Waits until nothing is computed and nothing changes any more.
     Json settled();
 
-    /// Names as xdotool has them: "Right", "shift+Right", "question".
+    /// Presses and waits until the window has taken it. Names as xdotool has them: "Right", "shift+Right", "question".
     void key(const std::string &name);
     void type(const std::string &text);
     void move(Point p);

@@ -188,6 +188,8 @@ struct Bad {
     std::string what, obj, mtl, message;
 };
 
+void PrintTo(const Bad &bad, std::ostream *out) { *out << bad.what; }
+
 const Bad bad_inputs[] = {
     {"Empty", "", "", "t.obj: has no surface"},
     {"NoFace", square, "", "t.obj: has no surface"},
