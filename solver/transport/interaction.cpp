@@ -53,8 +53,15 @@ bool covered(const Surface &surface, const Vec2 &p) {
     return std::ranges::any_of(surface.covers, [&](const Polygon &cover) { return contains(cover, p); });
 }
 
+bool in_solid(const Blockers &blockers, const Vec3 &x) {
+    return std::ranges::any_of(blockers.all(), [&](const Blocker &b) {
+        return b.solid >= 0 && !blockers.outside(b.solid, std::span(&x, 1));
+    });
+}
+
 /// Where shadows fall on p: the centres of the blockers as seen from the source's centre (a shadow smaller than the
-/// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end).
+/// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end). Drawn in
+/// as test points are: on a border that lies in the source's plane (a box that stands on the source) T has no value.
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair) {
     constexpr std::size_t most = 24;
@@ -62,13 +69,15 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
     const PlaneFrame &frame = scene.surface(p.surface).frame;
     const Polygon &outline = p.basis.outline();
     std::vector<Vec2> found;
+    const Vec2 middle_of_p = p.basis.centre();
+    const auto add = [&](const Vec2 &at) { found.push_back(at + 0.02 * (middle_of_p - at)); };
     const auto project = [&](const Vec3 &from, const Vec3 &through) {
         const double above = frame.height(from), between = frame.height(through);
         if (between <= 0 || above <= between)
             return;
         const Vec2 at = frame.to_plane(from + (above / (above - between)) * (through - from));
         if (contains(outline, at))
-            found.push_back(at);
+            add(at);
     };
     const Vec3 centre = source.frame.to_space(centroid(source.outline));
     for (const PairBlocker &b : pair) {
@@ -101,7 +110,7 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
                         high = std::min(high, vs / (vs - vt));
                 }
                 if (low < high)
-                    found.push_back(s + (low + high) / 2 * (t - s));
+                    add(s + (low + high) / 2 * (t - s));
             }
         }
     }
@@ -116,7 +125,9 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
     return thinned;
 }
 
-/// T_j at receiver points, a block of columns for each source node.
+/// T_j at receiver points, a block of columns for each source node. Under a flat cover of the receiver, which nothing
+/// sees, T goes on as if it were not there: a hole with T = 0 would have to be fitted, and spoils upper levels. Under a
+/// solid T is 0, as it is in the solid's own shadow.
 class PointTransfer {
 public:
     PointTransfer(const Transport &transport, const Element &p, const Surface &source, std::span<const PairBlocker> pair,
@@ -135,10 +146,10 @@ public:
         if (transport_.cancel)
             transport_.cancel->check();
         std::ranges::fill(row, 0.0);
-        if (covered(receiver_, point))
-            return;
         const Vec3 x = receiver_.frame.to_space(point);
         const Vec3 &n = receiver_.frame.normal;
+        if (covered(receiver_, point) && in_solid(transport_.blockers, x + 1e-6 * n))
+            return;
         if (source_.frame.height(x) <= 0)
             return;
         scratch_.hidden.cast(x, source_.frame, transport_.blockers, pair_, work_);
@@ -297,6 +308,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         std::vector<Vec2> tests = test_points(p.basis);
         const auto shadows = shadow_points(transport.scene, transport.blockers, p, from, out->blockers);
         tests.insert(tests.end(), shadows.begin(), shadows.end());
+        std::erase_if(tests, [&](const Vec2 &at) { return covered(to, at); });
         misfit.resize(static_cast<Eigen::Index>(tests.size()), n_columns);
         for (std::size_t c = 0; c < tests.size(); ++c) {
             transfer.at(tests[c], row_values);
