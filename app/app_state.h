@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 #include "timeline.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -100,6 +101,7 @@ struct AppState {
 
     std::map<std::string, WindowRect> widgets; ///< where each control was drawn in the last frame, by action or name
     std::string last_picture; ///< file
+    int inputs = 0;           ///< keys that were pressed so far; tests wait for theirs to be taken
     double cancel_ms = -1;    ///< from the last cancel to its answer; negative: none yet
 
     PaneSet &panes() { return pane_sets[static_cast<std::size_t>(layout)]; }
@@ -112,6 +114,8 @@ struct AppState {
         const auto &all = panes().strategies;
         return {all.begin(), all.begin() + n_panes(layout)};
     }
+    /// Where the active pane stands: short of `position` while that is being computed, or where its course ends sooner.
+    int shown_position() const { return std::clamp(position, 0, std::max(0, timeline(active_strategy()).last())); }
     /// Null before anything is known.
     std::shared_ptr<const Snapshot> snapshot(Strategy s) const { return timeline(s).at(position); }
 };

@@ -165,6 +165,7 @@ void set_strategy(AppState &state, Strategy strategy) {
 void set_layout(AppState &state, Layout layout) {
     state.layout = layout;
     state.halted = false;
+    state.message = {};
 }
 
 void reset_view(AppState &state) { state.camera_is_set = false; }

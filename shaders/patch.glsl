@@ -3,7 +3,7 @@
 uniform samplerBuffer patches;
 
 const int patch_texels = 8;
-// 0: corner 0 in the plane | unit | surface
+// 0: corner 0 in the plane | size | surface
 // 1: local corners 1, 2
 // 2: local corner 3 | order | first coefficient
 // 3: mean radiosity

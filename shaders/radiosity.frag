@@ -34,7 +34,7 @@ vec3 radiosity(int shading) {
     if (shading == 2)
         return mix(mix(patch_texel(patch_index, 4).rgb, patch_texel(patch_index, 5).rgb, p.x),
                    mix(patch_texel(patch_index, 7).rgb, patch_texel(patch_index, 6).rgb, p.x), p.y);
-    int order = int(tail.z), first = floatBitsToInt(tail.w);
+    int order = int(tail.z), first = int(tail.w);
     vec4 lu = legendre(p.x), lv = legendre(p.y);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < order; ++i)

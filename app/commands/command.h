@@ -20,6 +20,8 @@ struct Command {
 
 // A file each in commands/.
 Command add_curves(CLI::App &root);
+Command add_paper(CLI::App &root);
+Command add_render(CLI::App &root);
 Command add_scenes(CLI::App &root);
 Command add_solve(CLI::App &root);
 Command add_view(CLI::App &root);

@@ -6,8 +6,8 @@ std::vector<Command> add_commands(CLI::App &root) {
     return {
         add_view(root),
         add_solve(root),
-        add_pending(root, "render", "A picture with no window"),
-        add_pending(root, "paper", "The paper's figures 5 to 8 and its table"),
+        add_render(root),
+        add_paper(root),
         add_pending(root, "cost", "What accuracy costs: error against seconds, patches and coefficients"),
         add_curves(root),
         add_pending(root, "check", "Numerical health"),

@@ -1,5 +1,6 @@
 #include "commands/command.h"
 #include "commands/interrupt.h"
+#include "commands/iterate.h"
 #include "commands/progress.h"
 #include "commands/solving_options.h"
 #include "commands/terminal.h"
@@ -15,23 +16,6 @@ namespace penumbra {
 
 namespace {
 
-/// Steps to the fixed point. When cancelled the solver is left at its last complete iteration.
-std::vector<Counters> iterate(Solver &solver, const Cancel &cancel, Progress &progress) {
-    std::vector<Counters> iterations;
-    std::shared_ptr<const State> complete = solver.state();
-    try {
-        while (!solver.converged() && static_cast<int>(iterations.size()) < solver.options().max_iterations) {
-            solver.step(&cancel);
-            complete = solver.state();
-            iterations.push_back(solver.counters());
-            progress.show(iterations.back());
-        }
-    } catch (const Cancelled &) {
-        solver.restore(complete);
-    }
-    return iterations;
-}
-
 int run(const SolvingOptions &solving, const CommonOptions &common) {
     check_deliverable(common.output);
     check_deliverable(solving.probe_output);
@@ -44,9 +28,10 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
     try {
         Solver solver(scene, solving.options, &interrupt.cancel());
         Progress progress(solving.options, common.quiet, common.verbose);
-        record.iterations = iterate(solver, interrupt.cancel(), progress);
+        record.iterations = iterate(solver, solving.options.max_iterations, interrupt.cancel(), progress);
         // The error is against an exact solution that takes its time: not after an interrupt.
         record.solution = solver.snapshot(interrupt.exit_status() == done);
+        record.health = health(*scene, *solver.state());
     } catch (const Cancelled &) { // while the curves were made: there is no solution yet
     }
     deliver(common.output, to_json(record));

@@ -2,8 +2,6 @@
 
 #include "core/parallel.h"
 
-#include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
@@ -55,31 +53,16 @@ Json final_state(const Snapshot *solution) {
     return json;
 }
 
-int non_finite(const Snapshot &snapshot) {
-    return static_cast<int>(std::ranges::count_if(snapshot.coefficients, [](const Rgb &b) { return !b.allFinite(); }));
-}
-
-Json diagnostics(const Snapshot *solution) {
-    return {{"energy_balance_error", nullptr},
-            {"min_radiosity", solution ? Json(least_radiosity(*solution)) : Json()},
-            {"max_filter_condition", nullptr},
-            {"non_finite", solution ? Json(non_finite(*solution)) : Json()}};
+Json diagnostics(const std::optional<Health> &health) {
+    if (!health)
+        return nullptr;
+    return {{"energy_balance_error", health->energy_balance_error},
+            {"min_radiosity", health->min_radiosity},
+            {"max_filter_condition", health->max_filter_condition},
+            {"non_finite", health->non_finite}};
 }
 
 } // namespace
-
-double least_radiosity(const Snapshot &snapshot) {
-    constexpr int n = 5;
-    double least = std::numeric_limits<double>::infinity();
-    for (const SnapshotPatch &patch : snapshot.patches)
-        for (int i = 0; i < n * n; ++i) {
-            const double u = (i / n + 0.5) / n, v = (i % n + 0.5) / n; // never on a triangle's double corner
-            const auto &c = patch.corners;
-            const Vec2 p = (1 - u) * (1 - v) * c[0] + u * (1 - v) * c[1] + u * v * c[2] + (1 - u) * v * c[3];
-            least = std::min(least, radiosity(snapshot, patch, p).minCoeff());
-        }
-    return least;
-}
 
 std::string to_json(const Record &record) {
     const Snapshot *solution = record.solution.get();
@@ -97,7 +80,7 @@ std::string to_json(const Record &record) {
                        {"iterations", std::move(iterations)},
                        {"final", final_state(solution)},
                        {"effects", nullptr},
-                       {"diagnostics", diagnostics(solution)}};
+                       {"diagnostics", diagnostics(record.health)}};
     // Scene names are bytes that need not be UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

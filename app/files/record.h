@@ -4,8 +4,9 @@
 #include "core/counters.h"
 #include "core/options.h"
 #include "iteration/snapshot.h"
-
+#include "study/health.h"
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,11 @@ struct Record {
     Options options;
     std::vector<Counters> iterations = {};
     std::shared_ptr<const Snapshot> solution = nullptr; ///< none when it was interrupted before there was one
+    std::optional<Health> health = {};                  ///< of the solution
 };
 
 /// JSON as the contract has it; fields whose capability is still to come are null, and so are all of `final` without a
 /// solution.
 std::string to_json(const Record &record);
-
-/// Least radiosity of any channel at 5 x 5 points of each patch [W/m2].
-double least_radiosity(const Snapshot &snapshot);
 
 } // namespace penumbra

@@ -85,6 +85,7 @@ std::string observed_state_text(const AppState &s) {
     j["under_cursor"] = s.under_cursor ? Json{{"surface", s.under_cursor->surface}, {"patch", s.under_cursor->patch}}
                                        : Json();
     j["picture"] = s.last_picture;
+    j["inputs"] = s.inputs;
     j["cancel_ms"] = s.cancel_ms;
     j["widgets"] = Json::object();
     for (const auto &[widget, r] : s.widgets)

@@ -47,18 +47,18 @@ void draw_help(AppState &state) {
         return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(em(62), window.x - em(2)), std::min(em(46), window.y - em(2))});
+    ImGui::SetNextWindowSize({std::min(em(66), window.x - em(2)), 0});
     ImGui::Begin("Keys and mouse", &state.help_open,
                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
     if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
         ImGui::TableNextColumn();
         draw_mouse();
         draw_menu(Menu::solve);
-        draw_menu(Menu::file);
         draw_menu(Menu::strategy);
+        draw_menu(Menu::file);
         ImGui::TableNextColumn();
-        draw_menu(Menu::view);
         draw_menu(Menu::layers);
+        draw_menu(Menu::view);
         ImGui::EndTable();
     }
     ImGui::End();

@@ -59,20 +59,25 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     }
 }
 
-void draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const WindowRect &rect, int pane) {
+/// Returns its height.
+float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const WindowRect &rect, int pane) {
     const Strategy strategy = state.panes().strategies[static_cast<std::size_t>(pane)];
     const ImVec2 low{rect.x, rect.y}, high{rect.x + rect.width, rect.y + rect.height};
     const std::string tag = std::string("(") + letter(strategy) + ")";
+    float height = 0;
     if (const auto snapshot = state.snapshot(strategy))
-        draw_pane_label(list, fonts, low, high, pane_label(*snapshot, tag), state.look.theme);
+        height = draw_pane_label(list, fonts, low, high, pane_label(*snapshot, tag), state.look.theme);
     else if (state.scene)
         list.AddText({low.x + em(0.8f), low.y + em(0.6f)}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                      (tag + " finding the discontinuity curves…").c_str());
     if (state.layout != Layout::single && pane == state.panes().active && !state.panels_hidden)
         list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
+    return height;
 }
 
-void draw_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, const Arrangement &arrangement) {
+/// `below`: height of the label of the pane that the scale stands in.
+void draw_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, const Arrangement &arrangement,
+                  float below) {
     std::vector<const Snapshot *> snapshots;
     std::vector<std::shared_ptr<const Snapshot>> kept;
     for (const Strategy s : state.shown())
@@ -87,8 +92,8 @@ void draw_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, c
     draw_line_legend(list, fonts, {strip.x + em(0.8f), strip.y + 0.4f * em()}, strip.width - em(1.6f), state.look,
                      snapshots);
     const WindowRect &pane = arrangement.pane[state.layout == Layout::single ? 0 : 1];
-    draw_colour_legend(list, fonts, {pane.x + pane.width - em(0.9f), pane.y + em(0.9f)},
-                       std::min(em(14), 0.55f * pane.height), state.look, range);
+    draw_colour_legend(list, fonts, {pane.x + pane.width - em(0.9f), pane.y + em(0.9f) + below},
+                       std::min(em(14), 0.5f * (pane.height - below)), state.look, range);
 }
 
 } // namespace
@@ -101,6 +106,7 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
                                        ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     state.under_cursor.reset();
     ImDrawList &list = *ImGui::GetWindowDrawList();
+    float below = 0; // one pane is wide enough for label and scale side by side
     for (int pane = 0; pane < static_cast<int>(arrangement.pane.size()); ++pane) {
         const WindowRect &rect = arrangement.pane[static_cast<std::size_t>(pane)];
         const std::string name = "pane " + std::to_string(pane);
@@ -110,9 +116,11 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
                                    ImGuiButtonFlags_MouseButtonMiddle);
         mark(state, name);
         handle_mouse(state, rect, pane);
-        draw_label(state, list, fonts, rect, pane);
+        const float height = draw_label(state, list, fonts, rect, pane);
+        if (pane == 1)
+            below = height;
     }
-    draw_legends(state, list, fonts, arrangement);
+    draw_legends(state, list, fonts, arrangement, below);
     ImGui::End();
     ImGui::PopStyleVar();
 }

@@ -20,12 +20,12 @@ void draw_layers(AppState &state) {
 
 void draw_shading(AppState &state) {
     heading("Shading");
-    const float third = (ImGui::GetContentRegionAvail().x - 2) / 3;
-    action_button(state, "layers.polynomial", "Polynom.", {third, 0});
+    const float width = ImGui::GetContentRegionAvail().x - 2;
+    action_button(state, "layers.polynomial", "Polynomial", {0.43f * width, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "layers.flat", "Flat", {third, 0});
+    action_button(state, "layers.flat", "Flat", {0.25f * width, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "layers.linear", "Linear", {third, 0});
+    action_button(state, "layers.linear", "Linear", {0.32f * width, 0});
     action_check(state, "layers.false_colour");
     float ev = static_cast<float>(state.look.exposure_ev);
     field_label("exposure");

@@ -15,7 +15,7 @@ std::string facts(const AppState &state) {
         text = rgb_words(state.under_cursor->radiosity) + " W/m²   ";
     char exposure[32];
     std::snprintf(exposure, sizeof exposure, "%+.1f EV   ", state.look.exposure_ev);
-    return text + exposure + position_words(state.position);
+    return text + exposure + position_words(state.shown_position());
 }
 
 } // namespace

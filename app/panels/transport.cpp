@@ -29,7 +29,7 @@ void draw_buttons(AppState &state) {
 /// there.
 void draw_course(AppState &state, float width) {
     const int last = state.timeline(state.active_strategy()).last();
-    const int n = std::max({last, std::min(state.position, last + phases_per_iteration), 2 * phases_per_iteration});
+    const int n = std::max(last + 1, 4 * phases_per_iteration);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = em(1.9f), r = 0.24f * em();
     const float step = std::min(em(2.6f), (width - 4 * r) / static_cast<float>(n));
@@ -54,7 +54,7 @@ void draw_course(AppState &state, float width) {
                          faint, number.c_str());
         }
     }
-    const int here = std::min(state.position, n);
+    const int here = state.shown_position();
     list.AddCircleFilled({x_of(here), y}, 1.15f * r, accent);
     list.AddCircle({x_of(here), y}, 1.8f * r, accent, 0, 1.5f);
     if (!ImGui::IsItemHovered())
@@ -92,7 +92,7 @@ void draw_transport(AppState &state, const WindowRect &rect) {
     ImGui::SetCursorPosY(0.5f * (rect.height - em(1.9f)));
     draw_buttons(state);
     ImGui::SameLine(0, em(1.2f));
-    const float right = em(12), here = ImGui::GetCursorPosX();
+    const float right = em(14), here = ImGui::GetCursorPosX();
     draw_course(state, std::max(em(4), ImGui::GetWindowContentRegionMax().x - here - right - em(1)));
     ImGui::SameLine(0, em(1));
     draw_work(state);

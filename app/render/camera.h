@@ -2,6 +2,7 @@
 #pragma once
 
 #include "iteration/snapshot.h"
+#include "scene/scene.h"
 
 #include <glm/glm.hpp>
 
@@ -27,8 +28,12 @@ Bounds bounds(const Snapshot &snapshot);
 /// Three-quarter view from above, at which all surfaces just fill a frame of this aspect (width / height). A room with
 /// a ceiling is seen level instead, through its open side (or the back of its largest wall).
 Camera default_view(const Snapshot &snapshot, double aspect, const Vec3 &up = Vec3::UnitZ());
-/// The same direction of view, moved and pulled back so that all surfaces just fill the frame.
-Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect);
+/// The view that the scene's file asks for, or else the default one. A file's view is meant for frames of 4:3 and wider;
+/// a narrower one shows it from farther away.
+Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect);
+enum class Subject { lit_and_lamps, all_but_lamps }; ///< surfaces that reflect or emit; those that do not emit
+/// The same direction of view, moved and pulled back so that the subject just fills the frame.
+Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect, Subject subject = Subject::lit_and_lamps);
 
 /// Turns about `pivot` by `yaw` around up and by `pitch` around the view's right [radians]; the pitch stops short of
 /// the poles. With the target as pivot the usual orbit.

@@ -6,7 +6,6 @@
 #include "render/surface_role.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace penumbra {
 namespace {
@@ -54,23 +53,45 @@ Rgb mean(const Snapshot &snapshot, const SnapshotPatch &patch) {
     return area > 0 ? Rgb(sum / area) : radiosity_at(snapshot, patch, 0.5, 0.5);
 }
 
+/// Of a patch's local coordinates: its size.
+double unit_of(const SnapshotPatch &patch) {
+    double unit = 1e-300;
+    for (const Vec2 &c : patch.corners)
+        unit = std::max(unit, (c - patch.corners[0]).norm());
+    return unit;
+}
+
 std::vector<glm::vec4> patch_texels(const Snapshot &snapshot, double size,
                                     const std::vector<std::array<Rgb, 4>> &corner_values) {
     std::vector<glm::vec4> texels;
     texels.reserve(8 * snapshot.patches.size());
     for (std::size_t i = 0; i < snapshot.patches.size(); ++i) {
         const SnapshotPatch &p = snapshot.patches[i];
-        double unit = 0;
-        for (const Vec2 &c : p.corners)
-            unit = std::max(unit, (c - p.corners[0]).norm());
-        unit = std::max(unit, 1e-300);
+        const double unit = unit_of(p);
         const auto local = [&](std::size_t k) { return to_vec2((p.corners[k] - p.corners[0]) / unit); };
         texels.emplace_back(to_vec2(p.corners[0] / size), static_cast<float>(unit / size), static_cast<float>(p.surface));
         texels.emplace_back(local(1), local(2));
-        texels.emplace_back(local(3), static_cast<float>(p.order), std::bit_cast<float>(p.first));
+        texels.emplace_back(local(3), static_cast<float>(p.order), static_cast<float>(p.first));
         texels.emplace_back(to_vec3(mean(snapshot, p)), 0.f);
         for (const Rgb &value : corner_values[i])
             texels.emplace_back(to_vec3(value), 0.f);
+    }
+    return texels;
+}
+
+/// Fans from the patches' centres to their borders: also where corners of others lie on a side no triangle is without
+/// area, whose depth would be anything.
+std::vector<glm::vec4> vertex_texels(const Snapshot &snapshot, double size, const std::vector<std::vector<Vec2>> &borders) {
+    std::vector<glm::vec4> texels;
+    for (std::size_t i = 0; i < snapshot.patches.size(); ++i) {
+        const SnapshotPatch &p = snapshot.patches[i];
+        const double unit = unit_of(p);
+        const Vec2 centre = (p.corners[0] + p.corners[1] + p.corners[2] + p.corners[3]) / 4;
+        for (std::size_t k = 0; k < borders[i].size(); ++k)
+            for (const Vec2 &x : {centre, borders[i][k], borders[i][(k + 1) % borders[i].size()]}) {
+                texels.emplace_back(to_vec2(x / size), to_vec2((x - p.corners[0]) / unit));
+                texels.emplace_back(static_cast<float>(i), 0.f, 0.f, 0.f); // exact up to 2^24
+            }
     }
     return texels;
 }
@@ -137,8 +158,10 @@ void GpuSnapshot::upload(const Snapshot &snapshot) {
 
     surfaces.upload(surface_texels(snapshot, unit));
     patches.upload(patch_texels(snapshot, size, mesh.corner_values));
-    n_patches = static_cast<int>(snapshot.patches.size());
-    std::vector<glm::vec4> texels;
+    std::vector<glm::vec4> texels = vertex_texels(snapshot, size, mesh.borders);
+    vertices.upload(texels);
+    n_vertices = vertices.size() / 2;
+    texels.clear();
     for (const Rgb &c : snapshot.coefficients)
         texels.emplace_back(to_vec3(c), 0.f);
     coefficients.upload(texels);

@@ -26,9 +26,9 @@ struct GpuSnapshot {
     Bounds bounds;   ///< scene's frame
     Range range;     ///< common_range() of this snapshot alone
 
-    gl::TextureBuffer surfaces, patches, coefficients, tints;
+    gl::TextureBuffer surfaces, patches, coefficients, vertices, tints;
     gl::TextureBuffer mesh_lines, outlines, curves, links;
-    int n_patches = 0;
+    int n_vertices = 0; ///< of the patches' triangles
     std::vector<TintGroup> covers, glass;
     std::vector<glm::vec4> surface_planes; ///< normal, offset: positive for points in front
 

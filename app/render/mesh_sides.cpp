@@ -49,11 +49,14 @@ void add_surface(const Snapshot &snapshot, int surface, const std::vector<int> &
             add_value(a, 0);
             if (a == b) // the apex of a triangle
                 continue;
+            std::vector<Vec2> &border = mesh.borders[static_cast<std::size_t>(patches[k])];
+            border.push_back(index.point(a));
             int last = a;
             const double length = (index.point(b) - index.point(a)).norm();
             for (const int c : index.between(a, b)) {
                 add_value(c, (index.point(c) - index.point(a)).norm() / length);
                 add_piece(last, c, patch.sides[side], patch.fresh);
+                border.push_back(index.point(c));
                 last = c;
             }
             add_piece(last, b, patch.sides[side], patch.fresh);
@@ -75,6 +78,7 @@ MeshSides mesh_sides(const Snapshot &snapshot) {
     for (std::size_t i = 0; i < snapshot.patches.size(); ++i)
         by_surface[static_cast<std::size_t>(snapshot.patches[i].surface)].push_back(static_cast<int>(i));
     MeshSides mesh;
+    mesh.borders.resize(snapshot.patches.size());
     mesh.corner_values.resize(snapshot.patches.size());
     for (std::size_t s = 0; s < by_surface.size(); ++s)
         add_surface(snapshot, static_cast<int>(s), by_surface[s], mesh);

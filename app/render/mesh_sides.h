@@ -1,4 +1,5 @@
-// What a mesh of patches with hanging corners looks like as a whole: its sides, each once, and its corner values.
+// What a mesh of patches with hanging corners looks like as a whole: its sides, each once, its borders without cracks,
+// and its corner values.
 #pragma once
 
 #include "iteration/snapshot.h"
@@ -18,6 +19,9 @@ struct MeshSide {
 
 struct MeshSides {
     std::vector<MeshSide> sides;
+    /// By patch: its corners and the corners of others that lie on its sides, counter-clockwise, no point twice; the very
+    /// same points in all patches that share them. Triangles with these as vertices leave no cracks.
+    std::vector<std::vector<Vec2>> borders;
     /// By patch and corner: radiosity there, averaged over the patches of the surface that meet there, by corner or by
     /// side (Gouraud).
     std::vector<std::array<Rgb, 4>> corner_values;

@@ -13,6 +13,8 @@ void SurfacePass::draw(const Frame &frame, const GpuSnapshot &gpu, bool values) 
     frame.set_space(program_);
     gpu.patches.bind(1);
     program_.set("patches", 1);
+    gpu.vertices.bind(3);
+    program_.set("vertices", 3);
     gpu.coefficients.bind(2);
     program_.set("coefficients", 2);
     program_.set("shading", static_cast<int>(frame.look.shading));
@@ -20,7 +22,7 @@ void SurfacePass::draw(const Frame &frame, const GpuSnapshot &gpu, bool values) 
     program_.set("range", glm::vec2(frame.range.low, frame.range.high));
     program_.set("gain", static_cast<float>(std::exp2(frame.look.exposure_ev)));
     program_.set("false_colour", frame.look.false_colour ? 1 : 0);
-    glDrawArrays(GL_TRIANGLES, 0, 6 * gpu.n_patches);
+    glDrawArrays(GL_TRIANGLES, 0, gpu.n_vertices);
 }
 
 } // namespace penumbra

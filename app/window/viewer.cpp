@@ -19,6 +19,8 @@ namespace penumbra {
 namespace {
 
 constexpr double text_height = 15; ///< screen coordinates at scale 1
+/// ImGui may need one frame for the press of a button, one for its release, and one more for what follows from it.
+constexpr int frames_to_settle = 4;
 constexpr double fresh_seconds = 2.5; ///< how long new patches stand out
 
 AppState first_state(const ViewerSetup &setup) {
@@ -29,16 +31,6 @@ AppState first_state(const ViewerSetup &setup) {
     state.inert = setup.inert;
     state.pane_sets[0].strategies[0] = setup.options.strategy;
     return state;
-}
-
-/// The view that the scene's file asks for, from farther away in a pane too narrow for it; else one that shows all.
-Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect) {
-    if (!scene.view)
-        return default_view(snapshot, aspect, scene.up);
-    const auto vector = [](const Vec3 &v) { return glm::dvec3(v.x(), v.y(), v.z()); };
-    const Camera camera{vector(scene.view->eye), vector(scene.view->target), vector(scene.up), scene.view->fov_degrees};
-    constexpr double meant_for = 4.0 / 3;
-    return aspect < meant_for ? zoom(camera, meant_for / aspect, camera.target) : camera;
 }
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
@@ -61,7 +53,7 @@ void Viewer::run() {
         take_reports();
         serve_requests();
         if (window_.take_touched())
-            frames_owed_ = 2;
+            frames_owed_ = frames_to_settle;
         if (state_.busy || state_.playing)
             frames_owed_ = std::max(frames_owed_, 1);
         if (frames_owed_ <= 0)
@@ -74,6 +66,7 @@ void Viewer::run() {
 }
 
 void Viewer::on_key(const std::string &key) {
+    ++state_.inputs;
     if (const Action *action = action_on_key(key))
         penumbra::run(*action, state_);
 }
@@ -83,7 +76,7 @@ void Viewer::take_reports() {
         if (std::holds_alternative<Stopped>(report) && cancelled_at_)
             state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
         apply(state_, report);
-        frames_owed_ = 2;
+        frames_owed_ = frames_to_settle;
     }
 }
 
@@ -92,7 +85,7 @@ void Viewer::serve_requests() {
     if (auto name = std::exchange(state_.open_request, std::nullopt)) {
         state_.opening = *name;
         worker_.open(std::move(*name));
-        frames_owed_ = 2;
+        frames_owed_ = frames_to_settle;
     }
     if (std::exchange(state_.cancel_request, false)) {
         cancelled_at_ = Clock::now();
@@ -107,8 +100,11 @@ void Viewer::serve_requests() {
 
 /// How long nothing will change unless an event comes; negative: for ever.
 double Viewer::wait_time() {
+    const bool played = state_.playing;
     double wait = advance_play(state_, Clock::now());
     serve_requests();
+    if (played != state_.playing)
+        frames_owed_ = frames_to_settle;
     if (state_.busy)
         wait = sooner(wait, 0.1); // its clock runs
     if (state_.look.emphasise_fresh) {
@@ -118,7 +114,7 @@ double Viewer::wait_time() {
         else if (left > -0.1)
             frames_owed_ = std::max(frames_owed_, 1);
     }
-    return wait;
+    return frames_owed_ > 0 ? 0 : wait;
 }
 
 void Viewer::set_first_view() {
@@ -179,8 +175,9 @@ void Viewer::draw_frame() {
     if (!state_.panels_hidden)
         draw_menu_bar(state_);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float top = state_.panels_hidden ? 0 : ImGui::GetFrameHeight();
-    const Arrangement arrangement = arrange(state_, size.x, size.y, top, ImGui::GetFontSize());
+    const float top = state_.panels_hidden ? 0 : std::ceil(ImGui::GetFrameHeight()); // whole pixels
+    const Arrangement arrangement = arrange(
+        state_, size.x, size.y, top, ImGui::GetFontSize(), [this](float width) { return legend_height(width); });
     state_.pane_aspect = static_cast<double>(arrangement.pane[0].width / arrangement.pane[0].height);
     set_first_view();
     update_range();
@@ -194,6 +191,17 @@ void Viewer::draw_frame() {
     window_.draw_interface();
     take_pictures();
     window_.swap();
+}
+
+float Viewer::legend_height(float width) const {
+    std::vector<std::shared_ptr<const Snapshot>> kept;
+    std::vector<const Snapshot *> snapshots;
+    for (const Strategy s : state_.shown())
+        if (auto snapshot = state_.snapshot(s)) {
+            snapshots.push_back(snapshot.get());
+            kept.push_back(std::move(snapshot));
+        }
+    return line_legend_size(fonts_, width, state_.look, snapshots).y;
 }
 
 void Viewer::draw_panels(const Arrangement &arrangement) {
@@ -217,7 +225,7 @@ void Viewer::take_pictures() {
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
     take_picture(state_, *request, width, height);
-    frames_owed_ = 2;
+    frames_owed_ = frames_to_settle;
 }
 
 void Viewer::write_state() {

@@ -27,9 +27,9 @@ public:
     const Curve &curve(CurveId c) const { return curves_[c.at()]; }
     std::span<const CurveId> on_receiver(SurfaceId receiver) const { return by_receiver_[receiver.at()]; }
 
-    /// Curves that pass through the interior of the convex polygon, in ascending order of their ids; one that runs along
-    /// its border does not. Those of different sources that lie in one line come as one, under the id of the one with
-    /// the lowest order, from the first end to the last.
+    /// Curves that pass through the interior of the convex polygon, in ascending order of their ids; one that runs
+    /// along its border does not. Those of different sources that lie in one line come as one, under the id of the one
+    /// with the lowest order, from the first end to the last.
     std::vector<CurveSegment> crossing(SurfaceId receiver, const Polygon &convex) const;
 
 private:

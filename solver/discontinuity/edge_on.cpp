@@ -91,12 +91,16 @@ std::optional<Wedge> plane_of(const Facet &facet, const PlaneFrame &receiver) {
     }
     if (best == n)
         return std::nullopt;
-    return make_wedge(facet.corners[best], facet.corners[(best + 1) % n], facet.corners[(best + n - 1) % n], receiver);
+    auto plane =
+        make_wedge(facet.corners[best], facet.corners[(best + 1) % n], facet.corners[(best + n - 1) % n], receiver);
+    if (plane)
+        plane->slack = coincidence + 2 * facet.bend;
+    return plane;
 }
 
 Polygon flattened(const Wedge &plane, const std::vector<Vec3> &corners) {
-    const Vec3 up = plane.normal.cross(plane.along) *
-                    (plane.normal.cross(plane.along).dot(plane.receiver.normal) > 0 ? 1.0 : -1.0);
+    const Vec3 up =
+        plane.normal.cross(plane.along) * (plane.normal.cross(plane.along).dot(plane.receiver.normal) > 0 ? 1.0 : -1.0);
     Polygon flat;
     for (const Vec3 &c : corners)
         flat.emplace_back((c - plane.foot).dot(plane.along), std::max(0.0, (c - plane.foot).dot(up)));
@@ -123,8 +127,9 @@ EdgeOnScene edge_on_scene(const SourceView &view, const Wedge &plane, int front)
             if (one.side <= other.side || !on_line(one, other.p, other.q))
                 continue;
             const Vec3 direction = (one.q - one.p).normalized();
-            const Interval common = overlap(between(0, (one.q - one.p).dot(direction)),
-                                            between((other.p - one.p).dot(direction), (other.q - one.p).dot(direction)));
+            const Interval common =
+                overlap(between(0, (one.q - one.p).dot(direction)),
+                        between((other.p - one.p).dot(direction), (other.q - one.p).dot(direction)));
             if (!common.empty())
                 scene.blockers.push_back(
                     flattened(plane, {one.p + common.low * direction, one.p + common.high * direction}));

@@ -19,9 +19,7 @@ std::vector<Curve> merge_line(std::vector<Curve> members) {
     // The longest gives the direction best.
     const Curve base = *std::ranges::max_element(members, {}, [](const Curve &c) { return (c.to - c.from).norm(); });
     const Vec2 foot = base.from, along = (base.to - base.from).normalized();
-    const auto interval = [&](const Curve &c) {
-        return between((c.from - foot).dot(along), (c.to - foot).dot(along));
-    };
+    const auto interval = [&](const Curve &c) { return between((c.from - foot).dot(along), (c.to - foot).dot(along)); };
     std::vector<Curve> merged;
     IntervalSet taken;
     for (auto first = members.begin(); first != members.end();) {

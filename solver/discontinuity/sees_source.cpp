@@ -26,7 +26,8 @@ void subtract_cone(const std::vector<Vec3> &piece, const Facet &facet, const Vec
     std::vector<Vec3> inside = piece;
     const std::size_t n = facet.corners.size();
     for (std::size_t i = 0; i < n && !inside.empty(); ++i) {
-        const Vec3 outward = ((facet.corners[(i + 1) % n] - x).cross(facet.corners[i] - x) * (distance > 0 ? 1.0 : -1.0));
+        const Vec3 outward =
+            ((facet.corners[(i + 1) % n] - x).cross(facet.corners[i] - x) * (distance > 0 ? 1.0 : -1.0));
         if (outward.norm() == 0)
             continue;
         if (std::vector<Vec3> outside = clip_to_front(inside, x, outward.normalized()); !outside.empty())

@@ -1,6 +1,7 @@
 #include "discontinuity/source_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -9,26 +10,37 @@ namespace penumbra {
 
 namespace {
 
-/// Corners in space of a convex part. Parts are made of the outline's own corners, so these are looked up
-/// rather than computed back from the plane.
-std::vector<Vec3> part_in_space(const Surface &surface, const Polygon &part) {
+/// Corners in space of a convex part, taken from the given corners of the outline, of which it is made. Corners that
+/// coincide are taken once.
+std::vector<Vec3> part_in_space(const Surface &surface, std::span<const Vec3> outline, const Polygon &part) {
     std::vector<Vec3> corners;
     for (const Vec2 &p : part) {
         const auto found = std::ranges::find(surface.outline, p);
-        corners.push_back(found == surface.outline.end()
-                              ? surface.frame.to_space(p)
-                              : surface.corners[static_cast<std::size_t>(found - surface.outline.begin())]);
+        const Vec3 corner = found == surface.outline.end()
+                                ? surface.frame.to_space(p)
+                                : outline[static_cast<std::size_t>(found - surface.outline.begin())];
+        if (corners.empty() || (corner != corners.back() && corner != corners.front()))
+            corners.push_back(corner);
     }
     return corners;
 }
 
-Facet make_facet(SurfaceId id, const Surface &surface, std::vector<Vec3> corners) {
-    Vec3 low = corners[0], high = corners[0];
-    for (const Vec3 &c : corners) {
+/// Adds the facet unless welding left it no area.
+void add_facet(std::vector<Facet> &facets, SurfaceId id, std::vector<Vec3> corners) {
+    if (corners.size() < 3 || newell(corners).norm() <= coincidence * coincidence)
+        return;
+    Facet facet{id, std::move(corners), Vec3::Zero(), Vec3::Zero(), 0, 0};
+    facet.normal = newell(facet.corners).normalized();
+    Vec3 low = facet.corners[0], high = low;
+    for (const Vec3 &c : facet.corners) {
         low = low.cwiseMin(c);
         high = high.cwiseMax(c);
     }
-    return {id, std::move(corners), surface.frame.normal, (low + high) / 2, (high - low).norm() / 2};
+    facet.centre = (low + high) / 2;
+    facet.radius = (high - low).norm() / 2;
+    for (const Vec3 &c : facet.corners)
+        facet.bend = std::max(facet.bend, std::abs((c - facet.corners[0]).dot(facet.normal)));
+    facets.push_back(std::move(facet));
 }
 
 /// Part of the edge in front of the plane; empty when nothing of it lies truly in front.
@@ -46,10 +58,17 @@ Interval part_in_front(const SightEdge &edge, const PlaneFrame &plane) {
 /// within rounding.
 class Outlines {
 public:
-    void add(const Surface &surface) {
+    /// Corners within `tolerance` of one another become one, those within it of a plane are moved into the plane.
+    Outlines(double tolerance, std::vector<PlaneFrame> planes) : tolerance_(tolerance), planes_(std::move(planes)) {}
+
+    /// Returns the outline's corners as they are after welding.
+    std::vector<Vec3> add(std::span<const Vec3> outline) {
         std::vector<std::size_t> ids;
-        for (const Vec3 &c : surface.corners)
+        std::vector<Vec3> welded;
+        for (const Vec3 &c : outline) {
             ids.push_back(id_of(c));
+            welded.push_back(corners_[ids.back()].at);
+        }
         for (std::size_t i = 0; i < ids.size(); ++i) {
             const std::size_t a = ids[i], b = ids[(i + 1) % ids.size()];
             if (a != b && edges_.insert(std::minmax(a, b)).second) {
@@ -57,6 +76,7 @@ public:
                 corners_[b].neighbours.push_back(corners_[a].at);
             }
         }
+        return welded;
     }
     const std::vector<SightCorner> &corners() const { return corners_; }
     std::vector<SightEdge> edges() const {
@@ -70,20 +90,27 @@ private:
     std::size_t id_of(const Vec3 &corner) {
         // A direction that no building is aligned with: hardly any two corners share a key unless they coincide.
         const double key = corner.dot(Vec3(0.5377, 0.2231, 0.8132));
-        for (auto near = ids_.lower_bound(key - coincidence); near != ids_.end() && near->first <= key + coincidence; ++near)
-            if ((corners_[near->second].at - corner).norm() <= coincidence)
+        for (auto near = ids_.lower_bound(key - 2 * tolerance_);
+             near != ids_.end() && near->first <= key + 2 * tolerance_; ++near)
+            if ((corners_[near->second].at - corner).norm() <= 2 * tolerance_)
                 return near->second;
+        Vec3 at = corner;
+        for (const PlaneFrame &plane : planes_)
+            if (std::abs(plane.height(at)) <= tolerance_)
+                at -= plane.height(at) * plane.normal;
         ids_.emplace(key, corners_.size());
-        corners_.push_back({corner, {}});
+        corners_.push_back({at, {}});
         return corners_.size() - 1;
     }
+    double tolerance_;
+    std::vector<PlaneFrame> planes_;
     std::vector<SightCorner> corners_;
     std::multimap<double, std::size_t> ids_;
     std::set<std::pair<std::size_t, std::size_t>> edges_;
 };
 
-bool behind(std::span<const Vec3> corners, const PlaneFrame &plane) {
-    return std::ranges::all_of(corners, [&](const Vec3 &c) { return plane.height(c) <= coincidence; });
+bool behind(std::span<const Vec3> corners, const PlaneFrame &plane, double tolerance = coincidence) {
+    return std::ranges::all_of(corners, [&](const Vec3 &c) { return plane.height(c) <= tolerance; });
 }
 
 } // namespace
@@ -114,7 +141,7 @@ std::vector<Vec3> clip_to_front(std::vector<Vec3> polygon, const Vec3 &origin, c
 
 bool touches(const Facet &facet, const Vec3 &p) {
     if ((p - facet.centre).squaredNorm() > (facet.radius + coincidence) * (facet.radius + coincidence) ||
-        std::abs((p - facet.corners[0]).dot(facet.normal)) > coincidence)
+        std::abs((p - facet.corners[0]).dot(facet.normal)) > coincidence + facet.bend)
         return false;
     const std::size_t n = facet.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -138,12 +165,11 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
 
     for (const Polygon &part : lamp.parts) {
         std::vector<Vec3> corners =
-            clip_to_front(part_in_space(lamp, part), wall.frame.origin, wall.frame.normal);
-        if (!corners.empty())
-            view.source_parts.push_back(make_facet(source, lamp, std::move(corners)));
+            clip_to_front(part_in_space(lamp, lamp.corners, part), wall.frame.origin, wall.frame.normal);
+        add_facet(view.source_parts, source, std::move(corners));
     }
-    Outlines lamp_outline;
-    lamp_outline.add(lamp);
+    Outlines lamp_outline(coincidence, {});
+    lamp_outline.add(lamp.corners);
     for (const SightCorner &corner : lamp_outline.corners())
         if (wall.frame.height(corner.at) > coincidence)
             view.source_corners.push_back(corner);
@@ -153,24 +179,21 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
             view.source_edges.push_back(edge);
     }
 
-    Outlines outlines;
+    Outlines outlines(weld, {lamp.frame, wall.frame});
     for (const SurfaceId id : blockers) {
         const Surface &blocker = scene.surface(id);
-        if (id == source || id == receiver || behind(blocker.corners, lamp.frame) || behind(blocker.corners, wall.frame))
+        if (id == source || id == receiver || behind(blocker.corners, lamp.frame, weld) ||
+            behind(blocker.corners, wall.frame, weld))
             continue;
-        bool any = false;
+        const std::vector<Vec3> outline = outlines.add(blocker.corners);
         for (const Polygon &part : blocker.parts) {
-            std::vector<Vec3> corners =
-                clip_to_front(part_in_space(blocker, part), lamp.frame.origin, lamp.frame.normal);
-            if (!corners.empty())
+            std::vector<Vec3> corners = part_in_space(blocker, outline, part);
+            if (corners.size() > 2)
+                corners = clip_to_front(std::move(corners), lamp.frame.origin, lamp.frame.normal);
+            if (corners.size() > 2)
                 corners = clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal);
-            if (corners.empty())
-                continue;
-            view.facets.push_back(make_facet(id, blocker, std::move(corners)));
-            any = true;
+            add_facet(view.facets, id, std::move(corners));
         }
-        if (any)
-            outlines.add(blocker);
     }
     for (const SightCorner &corner : outlines.corners())
         if (lamp.frame.height(corner.at) > coincidence && wall.frame.height(corner.at) > coincidence)

@@ -4,16 +4,13 @@
 #include "core/ids.h"
 #include "core/vec.h"
 #include "discontinuity/interval_set.h"
+#include "discontinuity/tolerance.h"
 #include "scene/scene.h"
 
 #include <span>
 #include <vector>
 
 namespace penumbra {
-
-/// Points that lie closer than this are one point, and a point this close to a plane lies in it [solver units]. It
-/// absorbs the rounding of readers and of the scene's scaling; beyond it, sides are decided exactly.
-inline constexpr double coincidence = 1e-9;
 
 /// A convex part of a surface in space, cut to what counts: in front of the receiver and of the source.
 struct Facet {
@@ -22,6 +19,7 @@ struct Facet {
     Vec3 normal;               ///< unit
     Vec3 centre;               ///< of the sphere about the corners
     double radius = 0;
+    double bend = 0; ///< how far welding moved corners out of the first one's plane
 };
 
 /// An edge with its full end points (sides are decided with these) and the part of it that counts.

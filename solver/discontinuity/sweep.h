@@ -36,7 +36,7 @@ struct Graze {
 enum class Reach { to_apex, beyond_apex };
 
 struct Sweep {
-    IntervalSet open;           ///< sight lines that no facet crosses; not yet closed where grazes face each other
+    IntervalSet open; ///< sight lines that no facet crosses; not yet closed where grazes face each other
     std::vector<Graze> grazes;
 };
 

@@ -46,7 +46,8 @@ bool side_sees(const Scene &scene, const SourceView &view, const Vec2 &x, const 
     const Surface &receiver = scene.surface(view.receiver);
     if (covered(receiver, x + beside * across))
         return false;
-    const Vec3 point = receiver.frame.to_space(x), outward = across.x() * receiver.frame.u + across.y() * receiver.frame.v;
+    const Vec3 point = receiver.frame.to_space(x),
+               outward = across.x() * receiver.frame.u + across.y() * receiver.frame.v;
     std::vector<std::size_t> touching;
     std::vector<Vec3> half_spaces;
     for (std::size_t f = 0; f < view.facets.size(); ++f) {

@@ -101,8 +101,8 @@ void trace_horizon(const Scene &scene, const SourceView &view, std::vector<Curve
             if (ray.hidden_from < distance + 4 * coincidence)
                 continue;
             const PlaneFrame &plane = view.receiver_plane;
-            IntervalSet line = lit_part(scene, view, plane.to_space(corner),
-                                        ray.along.x() * plane.u + ray.along.y() * plane.v);
+            IntervalSet line =
+                lit_part(scene, view, plane.to_space(corner), ray.along.x() * plane.u + ray.along.y() * plane.v);
             line.clip(Interval{distance, ray.hidden_from});
             line.drop_shorter(shortest_curve);
             std::vector<SurfaceId> blockers;

@@ -1,6 +1,5 @@
 #include "discontinuity/wedge.h"
 
-#include "discontinuity/source_view.h"
 #include "geometry/predicates.h"
 
 #include <algorithm>
@@ -13,9 +12,7 @@ namespace {
 constexpr double level = 1e-13;
 } // namespace
 
-int Wedge::side(const Vec3 &q) const {
-    return std::abs(height(q)) <= coincidence ? 0 : orientation(apex, a, b, q);
-}
+int Wedge::side(const Vec3 &q) const { return std::abs(height(q)) <= slack ? 0 : orientation(apex, a, b, q); }
 
 double Wedge::parameter(const Vec3 &q) const {
     double drop = apex_height - receiver.height(q);
@@ -48,7 +45,7 @@ Interval Wedge::above(const Vec3 &p, const Vec3 &q) const {
 }
 
 std::optional<Wedge> make_wedge(const Vec3 &apex, const Vec3 &a, const Vec3 &b, const PlaneFrame &receiver) {
-    Wedge wedge{apex, a, b, Vec3::Zero(), receiver, receiver.height(apex), Vec3::Zero(), Vec3::Zero()};
+    Wedge wedge{apex, a, b, Vec3::Zero(), receiver, receiver.height(apex), Vec3::Zero(), Vec3::Zero(), coincidence};
     const Vec3 across = (a - apex).cross(b - apex);
     if (across.norm() <= coincidence * (b - a).norm() || wedge.apex_height <= coincidence)
         return std::nullopt;

@@ -118,7 +118,9 @@ private:
             for (std::size_t i = 0; i < judgements_[e].size(); ++i)
                 if (judgements_[e][i].verdict == Verdict::fail)
                     failing[e].push_back(state_.interactions[e][i].get());
-            if (!failing[e].empty() && state_.forest.elements[e].leaf())
+            Element &element = state_.forest.elements[e];
+            element.at_limit = false;
+            if (!failing[e].empty() && element.leaf())
                 to_split.push_back(e);
         }
         std::vector<std::optional<Split>> splits(to_split.size());

@@ -1,7 +1,11 @@
 #include "scene/covers.h"
 
+#include "geometry/convex_pieces.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace penumbra {
 
@@ -31,24 +35,14 @@ bool coplanar(const Surface &a, const Surface &b) {
     return std::abs(a.frame.normal.dot(b.frame.normal)) > 0.999 && within(a, b) && within(b, a);
 }
 
-/// `subject` on the left of the line from a to b (Sutherland & Hodgman 1974).
-Polygon left_of(const Polygon &subject, const Vec2 &a, const Vec2 &b) {
-    Polygon out;
-    const auto side = [&](const Vec2 &p) { return cross(b - a, p - a); };
-    for (std::size_t i = 0; i < subject.size(); ++i) {
-        const Vec2 &p = subject[i], &q = subject[(i + 1) % subject.size()];
-        const double dp = side(p), dq = side(q);
-        if (dp >= 0)
-            out.push_back(p);
-        if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0))
-            out.push_back(p + dp / (dp - dq) * (q - p));
-    }
-    return out;
-}
-
 Polygon intersection(Polygon subject, const Polygon &window) {
-    for (std::size_t i = 0; i < window.size() && !subject.empty(); ++i)
-        subject = left_of(subject, window[i], window[(i + 1) % window.size()]);
+    Polygon inside, outside;
+    for (const HalfPlane &h : half_planes(window)) {
+        if (subject.empty())
+            break;
+        split(subject, h, inside, outside);
+        subject.swap(inside);
+    }
     return subject;
 }
 
@@ -81,25 +75,41 @@ void cover(Surface &below, const Surface &above) {
     }
 }
 
-} // namespace
-
-void find_covers(Scene &scene) {
+/// Indices i < j, ascending, of surfaces whose boxes meet: a sweep along x.
+std::vector<std::pair<std::size_t, std::size_t>> meeting_pairs(const Scene &scene) {
     std::vector<Box> boxes;
     for (const Surface &surface : scene.surfaces)
         boxes.push_back(box_of(surface));
-    const auto n = static_cast<std::size_t>(scene.n_surfaces());
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = i + 1; j < n; ++j) {
-            Surface &a = scene.surfaces[i], &b = scene.surfaces[j];
-            if (a.face == b.face || !boxes[i].meets(boxes[j]) || !coplanar(a, b))
-                continue;
-            const bool opposite = a.frame.normal.dot(b.frame.normal) < 0;
-            const bool a_on_top = scene.emits(SurfaceId(i)) && !scene.emits(SurfaceId(j));
-            if (opposite || !a_on_top)
-                cover(a, b);
-            if (opposite || a_on_top)
-                cover(b, a);
+    std::vector<std::size_t> by_x(boxes.size());
+    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+    std::ranges::sort(by_x, {}, [&](std::size_t i) { return boxes[i].low.x(); });
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t k = 0; k < by_x.size(); ++k)
+        for (std::size_t l = k + 1; l < by_x.size(); ++l) {
+            const Box &a = boxes[by_x[k]], &b = boxes[by_x[l]];
+            if (b.low.x() > a.high.x() + coplanar_within)
+                break;
+            if (a.meets(b))
+                pairs.push_back(std::minmax(by_x[k], by_x[l]));
         }
+    std::ranges::sort(pairs);
+    return pairs;
+}
+
+} // namespace
+
+void find_covers(Scene &scene) {
+    for (const auto &[i, j] : meeting_pairs(scene)) {
+        Surface &a = scene.surfaces[i], &b = scene.surfaces[j];
+        if (a.face == b.face || !coplanar(a, b))
+            continue;
+        const bool opposite = a.frame.normal.dot(b.frame.normal) < 0;
+        const bool a_on_top = scene.emits(SurfaceId(i)) && !scene.emits(SurfaceId(j));
+        if (opposite || !a_on_top)
+            cover(a, b);
+        if (opposite || a_on_top)
+            cover(b, a);
+    }
 }
 
 } // namespace penumbra

@@ -9,10 +9,12 @@
 namespace penumbra {
 namespace {
 
-constexpr const char *materials = "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl black\nKd 0 0 0\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n";
+constexpr const char *materials =
+    "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl black\nKd 0 0 0\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n";
 /// A floor 4x4 at z = 0 and a light 1x1 at z = 2 that faces it.
-const std::string room = "mtllib m\nv -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nusemtl grey\nf 1 2 3 4\n"
-                         "v -0.5 -0.5 2\nv -0.5 0.5 2\nv 0.5 0.5 2\nv 0.5 -0.5 2\nusemtl lamp\nf 5 6 7 8\nusemtl black\n";
+const std::string room =
+    "mtllib m\nv -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nusemtl grey\nf 1 2 3 4\n"
+    "v -0.5 -0.5 2\nv -0.5 0.5 2\nv 0.5 0.5 2\nv 0.5 -0.5 2\nusemtl lamp\nf 5 6 7 8\nusemtl black\n";
 constexpr double accuracy = 1e-12;
 
 struct Line {
@@ -69,7 +71,8 @@ TEST(ClosedForm, SlantedEdgeThrowsFourLinesOfSecondOrder) {
 
 TEST(ClosedForm, ParallelEdgesThrowOneLineOfFirstOrder) {
     // The edge x = 0.1 at half height: both corners of a side of the light throw it to 0.2 -+ 0.5.
-    const auto lines = curves_of(scene_of(room + "v 0.1 -3 1\nv 3 -3 1\nv 3 3 1\nv 0.1 3 1\nf 9 10 11 12\n", materials));
+    const auto lines =
+        curves_of(scene_of(room + "v 0.1 -3 1\nv 3 -3 1\nv 3 3 1\nv 0.1 3 1\nf 9 10 11 12\n", materials));
     EXPECT_EQ(lines.size(), 2U) << all(lines);
     for (const double x : {-0.3, 0.7}) {
         const Line *line = find(lines, {x, -2, 0}, {x, 2, 0});
@@ -80,8 +83,8 @@ TEST(ClosedForm, ParallelEdgesThrowOneLineOfFirstOrder) {
 
 TEST(ClosedForm, BothSidesOfADoubledBlockerThrowOneCurve) {
     const auto once = curves_of(scene_of(room + "v 0.1 -3 1\nv 3 -3 1\nv 3 3 1\nv 0.3 3 1\nf 9 10 11 12\n", materials));
-    const auto twice = curves_of(
-        scene_of(room + "v 0.1 -3 1\nv 3 -3 1\nv 3 3 1\nv 0.3 3 1\nf 9 10 11 12\nf 12 11 10 9\n", materials));
+    const auto twice =
+        curves_of(scene_of(room + "v 0.1 -3 1\nv 3 -3 1\nv 3 3 1\nv 0.3 3 1\nf 9 10 11 12\nf 12 11 10 9\n", materials));
     EXPECT_EQ(once.size(), 4U);
     EXPECT_EQ(twice.size(), once.size()) << all(twice);
 }
@@ -116,8 +119,8 @@ TEST(ClosedForm, CornersOfASeparateBlockerThrowTheLightsEdges) {
 TEST(ClosedForm, AThinWallHasContactAndPlane) {
     // A wall x = 0.8, |y| <= 0.5, 0.3 high, standing free of the light's side: D0 where it stands; beyond its ends its
     // plane is an edge-on view of it, which meets no light (the light ends at x = 0.5).
-    const auto lines =
-        curves_of(scene_of(room + "v 0.8 -0.5 0\nv 0.8 0.5 0\nv 0.8 0.5 0.3\nv 0.8 -0.5 0.3\nf 9 10 11 12\n", materials));
+    const auto lines = curves_of(
+        scene_of(room + "v 0.8 -0.5 0\nv 0.8 0.5 0\nv 0.8 0.5 0.3\nv 0.8 -0.5 0.3\nf 9 10 11 12\n", materials));
     const Line *contact = find(lines, {0.8, -0.5, 0}, {0.8, 0.5, 0});
     ASSERT_NE(contact, nullptr) << all(lines);
     EXPECT_EQ(contact->kind, CurveKind::contact);
@@ -126,28 +129,25 @@ TEST(ClosedForm, AThinWallHasContactAndPlane) {
 }
 
 TEST(ClosedForm, AWallUnderTheLightIsSeenEdgeOn) {
-    // The wall x = 0.2, |y| <= 0.1, z from 0.5 to 1 lies under the light, seen edge-on in x = 0.2 from where lines over
-    // its ends, (y = 0.1, z = 0.5) and (y = -0.1, z = 0.5), reach the light's far sides: y = 0.1 + 0.6 / 1.5 * 0.5 = 0.3.
+    // The wall x = 0.2, |y| <= 0.1, z from 0.5 to 1: from y = -0.7 the line over its near upper end (-0.1, 1) just
+    // reaches the light's far border (0.5, 2); nearer to the middle it meets more of the light.
     const auto lines = curves_of(
         scene_of(room + "v 0.2 -0.1 0.5\nv 0.2 0.1 0.5\nv 0.2 0.1 1\nv 0.2 -0.1 1\nf 9 10 11 12\n", materials));
     const auto plane = std::ranges::find(lines, CurveKind::plane, &Line::kind);
     ASSERT_NE(plane, lines.end()) << all(lines);
     EXPECT_EQ(plane->order, 1);
-    // Over the upper ends (z = 1) the light's far side throws y = 0.1 + 0.6 = 0.7: the widest.
     EXPECT_NE(find(lines, {0.2, -0.7, 0}, {0.2, 0.7, 0}), nullptr) << all(lines);
 }
 
-TEST(ClosedForm, OnlySilhouettesOfABoxThrowCurves) {
-    // A box under the middle of the light, from z = 0.5 to 1: seen from the floor outside, the light's corners over the
-    // bottom's edges and the top's. No curve may come from an upright edge's lower end seen against nothing.
+TEST(ClosedForm, ContactsOfABoxAreRealWhereTheLightIsSeen) {
     const Scene scene = open_scene("box-on-floor");
     const auto lines = curves_of(scene);
-    // The box' foot is the border of the cover and the sides' contact: the far sides stand in full shadow. The light
-    // is at x from 0.9 to 1.3, y from -0.6 to -0.2; only the sides that some of it can see are real contacts.
+    // The box' foot is both the border of its cover and the sides' contact. The light is at x from 0.9 to 1.3 and y
+    // from -0.6 to -0.2; it sees two of the sides, and the feet of the other two stand in full shadow.
     const Vec3 a(-0.143309106, -0.405539764, 0), b(0.430097325, -0.004036258, 0), c(0.143309106, 0.405539764, 0),
         d(-0.430097325, 0.004036258, 0);
-    for (const auto &[from, to, real] : {std::tuple(a, b, true), std::tuple(b, c, true), std::tuple(c, d, false),
-                                         std::tuple(d, a, false)}) {
+    for (const auto &[from, to, real] :
+         {std::tuple(a, b, true), std::tuple(b, c, true), std::tuple(c, d, false), std::tuple(d, a, false)}) {
         const Line *contact = find(lines, from, to);
         EXPECT_EQ(contact != nullptr && contact->kind == CurveKind::contact, real) << all(lines);
     }

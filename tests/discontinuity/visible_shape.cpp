@@ -50,8 +50,8 @@ ShapeReader::Face ShapeReader::clip(const Face &face, const Vec3 &origin, const 
         if (ha >= 0)
             kept.corners.push_back(a);
         if ((ha < 0) != (hb < 0))
-            kept.corners.push_back({a.at + ha / (ha - hb) * (b.at - a.at), a.edge + "/" + name,
-                                    ha < 0 ? a.edge : face.name + "/" + name});
+            kept.corners.push_back(
+                {a.at + ha / (ha - hb) * (b.at - a.at), a.edge + "/" + name, ha < 0 ? a.edge : face.name + "/" + name});
     }
     return kept;
 }
@@ -65,8 +65,8 @@ ShapeReader::Figure ShapeReader::project(const Face &face, const Vec3 &x, bool s
     }
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
         const std::size_t j = (i + 1) % face.corners.size();
-        figure.edges.push_back({figure.outline[i], figure.outline[j], face.corners[i].edge, face.corners[i].name,
-                                face.corners[j].name});
+        figure.edges.push_back(
+            {figure.outline[i], figure.outline[j], face.corners[i].edge, face.corners[i].name, face.corners[j].name});
     }
     return figure;
 }
@@ -110,8 +110,8 @@ bool ShapeReader::is_corner(const std::vector<Figure> &figures, const Vec2 &at) 
             continue;
         const double angle = (angles[i] + angles[i + 1]) / 2;
         const Vec2 p = at + near * Vec2(std::cos(angle), std::sin(angle));
-        const bool visible = std::ranges::all_of(
-            figures, [&](const Figure &f) { return inside(f.outline, p) == f.source; });
+        const bool visible =
+            std::ranges::all_of(figures, [&](const Figure &f) { return inside(f.outline, p) == f.source; });
         if (!any)
             first = visible;
         else

@@ -1,5 +1,5 @@
-// The combinatorial shape of what a receiver's point sees of a source, read off shadows projected from that point alone:
-// no critical surface is constructed. Slow and simple on purpose.
+// The combinatorial shape of what a receiver's point sees of a source, read off shadows projected from that point
+// alone: no critical surface is constructed. Slow and simple on purpose.
 #pragma once
 
 #include "scene/scene.h"

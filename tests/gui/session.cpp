@@ -95,9 +95,16 @@ void Session::xdotool(std::vector<std::string> words) const {
     output_of(words, {{"DISPLAY", screen_->display()}});
 }
 
-void Session::key(const std::string &name) { xdotool({"key", name}); }
+void Session::key(const std::string &name) {
+    const int before = state().value("inputs", 0);
+    xdotool({"key", name});
+    for (int i = 0; i < 1000 && program_->running() && state().value("inputs", 0) == before; ++i)
+        sleep(0.005);
+}
 
 void Session::type(const std::string &text) { xdotool({"type", "--delay", "20", text}); }
+
+void Session::enter() { xdotool({"key", "Return"}); }
 
 void Session::move(Point p) { xdotool({"mousemove", whole(p.x), whole(p.y)}); }
 

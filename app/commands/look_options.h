@@ -1,0 +1,22 @@
+// The options that say how a picture looks.
+#pragma once
+
+#include "render/look.h"
+#include "scene/scene.h"
+
+#include <CLI/App.hpp>
+
+#include <optional>
+
+namespace penumbra {
+
+struct LookOptions {
+    int width = 1280, height = 960; ///< pixels
+    Look look;
+    std::optional<View> view; ///< none: the scene's own
+};
+
+/// --size, --layers, --shading, --view, --exposure, --range, --false-colour, --background.
+void add_look_options(CLI::App &parser, LookOptions &options);
+
+} // namespace penumbra

@@ -1,0 +1,136 @@
+#include "study/health.h"
+
+#include "core/parallel.h"
+#include "visibility/ray_scene.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace penumbra {
+
+namespace {
+
+struct Flux {
+    Rgb emitted = Rgb::Zero();  ///< by the emitters
+    Rgb leaving = Rgb::Zero();  ///< B over all surfaces
+    Rgb arrives = Rgb::Zero();  ///< irradiance over the reflecting surfaces, as the solution has it
+    Rgb by_rays = Rgb::Zero();  ///< the same, as rays bring it
+
+    Flux &operator+=(const Flux &o) {
+        emitted += o.emitted;
+        leaving += o.leaving;
+        arrives += o.arrives;
+        by_rays += o.by_rays;
+        return *this;
+    }
+};
+
+bool covered(const Surface &surface, const Vec2 &p) {
+    return std::ranges::any_of(surface.covers, [&](const Polygon &cover) { return contains(cover, p); });
+}
+
+/// A channel in which a surface does not reflect tells nothing of what arrives there: it counts as black.
+Rgb reflecting(const Rgb &rho) { return (rho > 0).cast<double>(); }
+
+/// Follows `n` rays from a leaf: points and cosine-weighted directions from a four-dimensional Kronecker sequence
+/// (multiples of powers of the root of x^5 = x + 1).
+Flux follow(const Scene &scene, const RayScene &rays, const Element &e, const Coefficients &radiosity, int n,
+            std::size_t seed) {
+    constexpr double g = 1.1673039782614187;
+    constexpr std::array<double, 4> step{1 / g, 1 / (g * g), 1 / (g * g * g), 1 / (g * g * g * g)};
+    const Surface &surface = scene.surface(e.surface);
+    const Rgb &rho = scene.reflectance(e.surface), &own = scene.exitance(e.surface);
+    const auto b = radiosity.middleRows(e.first, e.basis.n_functions());
+    Flux flux;
+    for (int k = 0; k < n; ++k) {
+        std::array<double, 4> s;
+        for (std::size_t d = 0; d < 4; ++d) {
+            const double x = 0.5 + step[d] * static_cast<double>(k) + 0.7548776662466927 * static_cast<double>(seed % 4096);
+            s[d] = x - std::floor(x);
+        }
+        const QuadraturePoint q = e.basis.at_parameters(s[0], s[1]);
+        const double area = q.area / n;
+        const bool dark = covered(surface, q.position);
+        const Rgb value = dark ? Rgb(Rgb::Zero()) : Rgb((e.basis.evaluate(q.position).transpose() * b).transpose().array());
+        flux.leaving += area * value;
+        if (!dark) {
+            flux.emitted += area * own;
+            flux.arrives += reflecting(rho) * area * (value - own) / rho.max(1e-300);
+        }
+        const double r = std::sqrt(s[2]), phi = 2 * std::numbers::pi * s[3];
+        const Vec3 direction = r * std::cos(phi) * surface.frame.u + r * std::sin(phi) * surface.frame.v +
+                               std::sqrt(1 - s[2]) * surface.frame.normal;
+        const auto hit = rays.nearest(surface.frame.to_space(q.position), direction);
+        if (!hit || !hit->front)
+            continue;
+        const Surface &target = scene.surface(hit->surface);
+        const Vec3 at = surface.frame.to_space(q.position) + hit->distance * direction;
+        if (!covered(target, target.frame.to_plane(at)))
+            flux.by_rays += reflecting(scene.reflectance(hit->surface)) * area * value;
+    }
+    return flux;
+}
+
+double least_radiosity(const Element &e, const Coefficients &radiosity) {
+    const auto b = radiosity.middleRows(e.first, e.basis.n_functions());
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 5; ++j)
+            least = std::min(least, (e.basis.evaluate(e.basis.quad().at((i + 0.5) / 5, (j + 0.5) / 5)).transpose() * b)
+                                        .minCoeff());
+    return least;
+}
+
+double largest_condition(const Forest &forest) {
+    std::set<const TwoScale *> seen;
+    double most = 1;
+    for (const Element &e : forest.elements)
+        if (e.filters && seen.insert(e.filters.get()).second) {
+            const Eigen::VectorXd s = Eigen::JacobiSVD<Eigen::MatrixXd>(e.filters->push).singularValues();
+            most = std::max(most, s[0] / s[s.size() - 1]);
+        }
+    return most;
+}
+
+} // namespace
+
+Health health(const Scene &scene, const State &state, int n_rays) {
+    const Forest &forest = state.forest;
+    std::vector<std::size_t> leaves;
+    std::vector<double> weights;
+    double total = 0;
+    Health out;
+    out.min_radiosity = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < forest.elements.size(); ++i) {
+        const Element &e = forest.elements[i];
+        if (!e.leaf())
+            continue;
+        leaves.push_back(i);
+        weights.push_back(e.basis.area() * state.radiosity.row(e.first).cwiseAbs().maxCoeff());
+        total += weights.back();
+        out.min_radiosity = std::min(out.min_radiosity, least_radiosity(e, state.radiosity));
+    }
+    const RayScene rays(scene);
+    std::vector<Flux> fluxes(leaves.size());
+    parallel_for(leaves.size(), [&](std::size_t l) {
+        const int n = 16 + static_cast<int>(n_rays * (total > 0 ? weights[l] / total : 0.0));
+        fluxes[l] = follow(scene, rays, forest.elements[leaves[l]], state.radiosity, n, l);
+    });
+    Flux sum;
+    for (const Flux &f : fluxes)
+        sum += f;
+    if (sum.emitted.maxCoeff() > 0) {
+        out.energy_balance_error = (sum.arrives - sum.by_rays).abs().maxCoeff() / sum.emitted.maxCoeff();
+        out.lost = 1 - sum.by_rays.sum() / sum.leaving.sum();
+    }
+    out.max_filter_condition = largest_condition(forest);
+    out.non_finite = static_cast<int>((!state.radiosity.array().isFinite()).count());
+    return out;
+}
+
+} // namespace penumbra

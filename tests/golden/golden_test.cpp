@@ -1,0 +1,119 @@
+// Pictures of synthetic snapshots against baselines that somebody looked at. A missing baseline is a failure. To make
+// or renew one: PENUMBRA_WRITE_BASELINES=1 writes it, and the test fails all the same, so that it cannot stay on.
+#include "ssim.h"
+#include "synthetic.h"
+
+#include "render/picture.h"
+#include "window/offscreen.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace penumbra {
+namespace {
+
+constexpr double alike = 0.999;
+
+std::filesystem::path baseline(const std::string &name) {
+    return std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/golden/baselines" / (name + ".png");
+}
+
+PictureSpec picture_of(std::shared_ptr<const Snapshot> snapshot) {
+    PictureSpec spec;
+    spec.width = 640;
+    spec.height = 480;
+    spec.text = 11;
+    spec.panes = {{std::move(snapshot), ""}};
+    spec.camera = default_view(*spec.panes[0].snapshot, pane_aspect(spec));
+    return spec;
+}
+
+void expect_golden(const std::string &name, const PictureSpec &spec) {
+    const Offscreen context;
+    const Image drawn = draw_picture(spec);
+    if (std::getenv("PENUMBRA_WRITE_BASELINES") != nullptr) {
+        write_png(baseline(name), drawn);
+        FAIL() << "baseline written: look at " << baseline(name) << " and run again without PENUMBRA_WRITE_BASELINES";
+    }
+    ASSERT_TRUE(std::filesystem::exists(baseline(name))) << "no baseline " << baseline(name);
+    const double likeness = ssim(drawn, read_png(baseline(name)));
+    if (likeness < alike)
+        write_png(name + "-drawn.png", drawn);
+    EXPECT_GE(likeness, alike) << "drawn: " << std::filesystem::absolute(name + "-drawn.png");
+}
+
+TEST(Golden, LampAndBlockerWithAllLayers) {
+    PictureSpec spec = picture_of(synthetic::lamp_and_blocker());
+    spec.look.layers.links = true;
+    expect_golden("lamp-and-blocker", spec);
+}
+
+TEST(Golden, FourPanesOnPaper) {
+    const auto snapshot = synthetic::lamp_and_blocker();
+    PictureSpec spec = picture_of(snapshot);
+    spec.panes = {{snapshot, "(a)"}, {snapshot, "(b)"}, {snapshot, "(c)"}, {snapshot, "(d)"}};
+    spec.columns = 2;
+    spec.look.theme = Theme::light;
+    spec.camera = default_view(*snapshot, pane_aspect(spec));
+    expect_golden("four-panes", spec);
+}
+
+TEST(Golden, FlatShading) {
+    PictureSpec spec = picture_of(synthetic::lamp_and_blocker());
+    spec.look.shading = Shading::flat;
+    spec.look.layers = {false, false, false};
+    expect_golden("flat", spec);
+}
+
+TEST(Golden, LinearShading) {
+    PictureSpec spec = picture_of(synthetic::lamp_and_blocker());
+    spec.look.shading = Shading::linear;
+    spec.look.layers = {true, false, false};
+    expect_golden("linear", spec);
+}
+
+TEST(Golden, ClosedRoom) { expect_golden("closed-room", picture_of(synthetic::closed_room())); }
+
+TEST(Golden, ClosedRoomFromOutsideInFalseColour) {
+    PictureSpec spec = picture_of(synthetic::closed_room());
+    spec.camera = fit(orbit(spec.camera, 0.6, -0.5, spec.camera.target), *spec.panes[0].snapshot, pane_aspect(spec));
+    spec.look.false_colour = true;
+    expect_golden("closed-room-outside", spec);
+}
+
+TEST(Golden, PatchesOfAllShapes) { expect_golden("patch-zoo", picture_of(synthetic::patch_zoo())); }
+
+// The control: what a careless change would do must not pass for the baseline.
+TEST(Golden, ControlsFail) {
+    const Offscreen context;
+    ASSERT_TRUE(std::filesystem::exists(baseline("lamp-and-blocker")));
+    const Image golden = read_png(baseline("lamp-and-blocker"));
+    const auto likeness = [&](const PictureSpec &spec) { return ssim(draw_picture(spec), golden); };
+    PictureSpec spec = picture_of(synthetic::lamp_and_blocker());
+    spec.look.layers.links = true;
+
+    PictureSpec changed = spec;
+    changed.look.layers.curves = false;
+    EXPECT_LT(likeness(changed), alike) << "curves left out";
+    changed = spec;
+    changed.look.shading = Shading::flat;
+    EXPECT_LT(likeness(changed), alike) << "flat in place of the polynomial";
+    changed = spec;
+    changed.look.exposure_ev = 0.2;
+    EXPECT_LT(likeness(changed), alike) << "a fifth of a stop brighter";
+    changed = spec;
+    changed.camera = orbit(spec.camera, 0.01, 0, spec.camera.target);
+    EXPECT_LT(likeness(changed), alike) << "turned by half a degree";
+    auto dimmed = std::make_shared<Snapshot>(*spec.panes[0].snapshot);
+    dimmed->version += 1000000;
+    for (int k = 0; k < 16; ++k) // one patch of 179
+        dimmed->coefficients[static_cast<std::size_t>(k)] *= 0.8;
+    changed = spec;
+    changed.panes[0].snapshot = dimmed;
+    EXPECT_LT(likeness(changed), alike) << "one patch a fifth darker";
+}
+
+} // namespace
+} // namespace penumbra
