@@ -3,7 +3,31 @@
 #include "basis/gauss.h"
 #include "basis/legendre.h"
 
+#include <array>
+
 namespace penumbra {
+
+namespace {
+
+/// The order is known to the compiler, so that the sums stay in registers.
+template <std::size_t M>
+void add(const BilinearQuad &quad, std::span<const Vec2> points, std::span<const double> weights, std::span<double> sums) {
+    const BilinearInverse parameters(quad);
+    std::array<double, M * M> sum{};
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const Vec2 uv = parameters(points[p]);
+        const auto a = legendre(uv.x()), b = legendre(uv.y());
+        for (std::size_t i = 0; i < M; ++i) {
+            const double weighted = weights[p] * a[i];
+            for (std::size_t j = 0; j < M; ++j)
+                sum[i * M + j] += weighted * b[j];
+        }
+    }
+    for (std::size_t k = 0; k < sums.size(); ++k)
+        sums[k] += sum[k];
+}
+
+} // namespace
 
 BasisValues ElementBasis::evaluate(const Vec2 &p) const {
     BasisValues values(n_functions());
@@ -17,6 +41,16 @@ BasisValues ElementBasis::evaluate(const Vec2 &p) const {
         for (int j = 0; j < order_; ++j, ++k)
             values[k] = a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)];
     return values;
+}
+
+void ElementBasis::add_weighted(std::span<const Vec2> points, std::span<const double> weights,
+                                std::span<double> sums) const {
+    switch (order_) {
+    case 1: return add<1>(quad_, points, weights, sums);
+    case 2: return add<2>(quad_, points, weights, sums);
+    case 3: return add<3>(quad_, points, weights, sums);
+    default: return add<4>(quad_, points, weights, sums);
+    }
 }
 
 QuadraturePoint ElementBasis::at_parameters(double u, double v) const {

@@ -40,6 +40,8 @@ public:
     Vec2 centre() const { return quad_.centre(); }
 
     BasisValues evaluate(const Vec2 &p) const;
+    /// sums[k] += sum over the points of weight N_k(point), for k < sums.size() <= n_functions().
+    void add_weighted(std::span<const Vec2> points, std::span<const double> weights, std::span<double> sums) const;
     /// Tensor Gauss rule with n points a parameter: for `inner`, exact for products of degree 2n - 1 in each parameter.
     std::vector<QuadraturePoint> quadrature(int n) const;
     /// The point of the element with these parameters in [0,1]^2, and the weights a cell there has.

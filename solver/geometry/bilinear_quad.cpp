@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 
-#include <cmath>
+#include <limits>
 
 namespace penumbra {
 
@@ -16,23 +16,15 @@ double BilinearQuad::jacobian(double u, double v) const {
     return std::abs(cross(du, dv));
 }
 
-Vec2 BilinearQuad::inverse(const Vec2 &p) const {
-    // p - c0 = u a + v b + uv d; eliminating u leaves k0 + k1 v + k2 v^2 = 0, whose wanted root has a positive
-    // derivative there (it is the Jacobian of a counter-clockwise convex quad).
-    const Vec2 a = corners[1] - corners[0], b = corners[3] - corners[0];
-    const Vec2 d = corners[0] - corners[1] + corners[2] - corners[3];
-    const Vec2 h = p - corners[0];
-    const double k0 = cross(h, a), k1 = cross(h, d) + cross(a, b), k2 = -cross(b, d);
-    const double root = std::sqrt(std::max(0.0, k1 * k1 - 4 * k2 * k0));
-    double v = 0;
-    if (k1 >= 0)
-        v = k1 + root > 0 ? -2 * k0 / (k1 + root) : 0.0;
-    else
-        v = (root - k1) / (2 * k2);
-    const Vec2 along = a + v * d;
-    const double length2 = along.squaredNorm();
-    const double u = length2 > 0 ? (h - v * b).dot(along) / length2 : 0.5;
-    return {u, v};
+Vec2 BilinearQuad::inverse(const Vec2 &p) const { return BilinearInverse(*this)(p); }
+
+BilinearInverse::BilinearInverse(const BilinearQuad &quad)
+    : origin_(quad.corners[0]), a_(quad.corners[1] - origin_), b_(quad.corners[3] - origin_),
+      d_(quad.corners[2] - quad.corners[1] - b_), ab_(cross(a_, b_)), k2_(-cross(b_, d_)), over_area_(1 / ab_) {
+    double largest = 0;
+    for (const Vec2 &c : quad.corners)
+        largest = std::max(largest, c.cwiseAbs().maxCoeff());
+    parallelogram_ = d_.cwiseAbs().maxCoeff() <= 4 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 Polygon BilinearQuad::outline() const {

@@ -3,7 +3,9 @@
 
 #include "geometry/polygon.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace penumbra {
 
@@ -21,6 +23,35 @@ struct BilinearQuad {
     Vec2 centre() const { return at(0.5, 0.5); }
     /// The corners without repetition: four or three.
     Polygon outline() const;
+};
+
+/// The inverse of one quad's map, for many points.
+class BilinearInverse {
+public:
+    explicit BilinearInverse(const BilinearQuad &quad);
+    /// As BilinearQuad::inverse.
+    Vec2 operator()(const Vec2 &p) const {
+        // p - c0 = u a + v b + uv d; eliminating u leaves k0 + k1 v + k2 v^2 = 0, whose wanted root has a positive
+        // derivative there (it is the Jacobian of a counter-clockwise convex quad).
+        const Vec2 h = p - origin_;
+        if (parallelogram_)
+            return {cross(h, b_) * over_area_, cross(a_, h) * over_area_};
+        const double k0 = cross(h, a_), k1 = cross(h, d_) + ab_;
+        const double root = std::sqrt(std::max(0.0, k1 * k1 - 4 * k2_ * k0));
+        double v = 0;
+        if (k1 >= 0)
+            v = k1 + root > 0 ? -2 * k0 / (k1 + root) : 0.0;
+        else
+            v = (root - k1) / (2 * k2_);
+        const Vec2 along = a_ + v * d_;
+        const double length2 = along.squaredNorm();
+        return {length2 > 0 ? (h - v * b_).dot(along) / length2 : 0.5, v};
+    }
+
+private:
+    Vec2 origin_, a_, b_, d_;
+    double ab_, k2_, over_area_;
+    bool parallelogram_; ///< to the rounding of its corners
 };
 
 /// The quad of a convex polygon of three or four corners.

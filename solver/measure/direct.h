@@ -10,7 +10,8 @@ namespace penumbra {
 Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point);
 
 /// ||B_h - B|| / ||B - E|| in L2 over all reflecting surfaces and the three channels together, B the exact direct
-/// solution, at a grid of points in every leaf (about 160 x 160 a surface part, at least 3 x 3 a leaf).
+/// solution, at a grid of points in every leaf (about 160 x 160 a surface part, at least 3 x 3 a leaf), covered ones left
+/// out.
 double direct_error(const Scene &scene, const Blockers &blockers, const Forest &forest, const Coefficients &radiosity);
 
 } // namespace penumbra

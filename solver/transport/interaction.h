@@ -22,7 +22,8 @@ struct Link {
     Eigen::MatrixXd misfit;
 };
 
-/// All links of receiver element p from one input surface S; together they bring T_S. Immutable once made.
+/// All links of receiver element p from one input surface S; together they bring T_S. What of S is covered brings
+/// nothing; what of p is covered is fitted but not tested. Immutable once made.
 struct Interaction {
     ElementId receiver;
     SurfaceId source;

@@ -4,6 +4,7 @@
 #include "transport/lambert.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,22 +12,36 @@ namespace penumbra {
 
 namespace {
 
-using Moments = std::span<double>;
+/// Points of a source with their quadrature weights times G.
+struct WeightedPoints {
+    std::vector<Vec2> points;
+    std::vector<double> weights;
+
+    void clear() {
+        points.clear();
+        weights.clear();
+    }
+    void add(const Vec2 &p, double weight) {
+        points.push_back(p);
+        weights.push_back(weight);
+    }
+};
 
 struct Eye {
-    Vec3 x, n;
+    const Vec3 &n;
     const PlaneFrame &source;
-    Vec3 base; // the frame's origin as seen from x
+    Vec3 base;     // the frame's origin as seen from x
+    double height; // of x above the source's plane
 
-    double kernel(const Vec2 &p) const {
-        const Vec3 d = base + p.x() * source.u + p.y() * source.v;
-        const double r2 = d.squaredNorm();
-        return std::max(0.0, n.dot(d)) * -source.normal.dot(d) / (std::numbers::pi * r2 * r2);
+    double facing(const Vec2 &p) const { return n.dot(base + p.x() * source.u + p.y() * source.v); }
+    /// G where n . (y - x) and |y - x|^2 are known.
+    double kernel(double facing, double r2) const {
+        return std::max(0.0, facing) * height / (std::numbers::pi * r2 * r2);
     }
 };
 
 /// Tensor Gauss rule on a convex polygon in quads that share its first corner.
-void add_far(const Eye &eye, const ElementBasis &basis, std::span<const Vec2> piece, int n, Moments moments, Work &work) {
+void add_far(const Eye &eye, std::span<const Vec2> piece, int n, WeightedPoints &out) {
     const GaussRule &rule = gauss_rule(n);
     for (std::size_t k = 1; k + 1 < piece.size(); k += 2) {
         const BilinearQuad quad{{piece[0], piece[k], piece[k + 1], piece[std::min(k + 2, piece.size() - 1)]}};
@@ -34,12 +49,10 @@ void add_far(const Eye &eye, const ElementBasis &basis, std::span<const Vec2> pi
             for (std::size_t j = 0; j < rule.points.size(); ++j) {
                 const double u = rule.points[i], v = rule.points[j];
                 const Vec2 p = quad.at(u, v);
-                const double g = rule.weights[i] * rule.weights[j] * quad.jacobian(u, v) * eye.kernel(p);
-                const BasisValues value = basis.evaluate(p);
-                for (std::size_t m = 1; m < moments.size(); ++m)
-                    moments[m] += g * value[static_cast<Eigen::Index>(m)];
+                const Vec3 d = eye.base + p.x() * eye.source.u + p.y() * eye.source.v;
+                out.add(p, rule.weights[i] * rule.weights[j] * quad.jacobian(u, v) *
+                               eye.kernel(eye.n.dot(d), d.squaredNorm()));
             }
-        work.kernel_evaluations += n * n;
     }
 }
 
@@ -51,7 +64,6 @@ public:
         : rule_(gauss_rule(n)), count_(std::max(1, static_cast<int>(std::ceil((to - from) / 3)))), from_(from),
           width_((to - from) / count_) {}
 
-    int size() const { return count_ * static_cast<int>(rule_.points.size()); }
     template <class Visit>
     void for_each(const Visit &visit) const {
         for (int k = 0; k < count_; ++k)
@@ -65,9 +77,33 @@ private:
     double from_, width_;
 };
 
-/// G (N_j - N_j(y*)) over the triangles between y* and the polygon's edges.
-void add_near(const Eye &eye, const ElementBasis &basis, std::span<const Vec2> piece, const Vec2 &nearest, double distance,
-              const BasisValues &at_nearest, int n, Moments moments, Work &work) {
+/// A rule for the integral of f(r) r dr over [0, 1], graded as r = sinh(s z) / sinh(z).
+struct RadialRule {
+    std::vector<double> radii, weights;
+
+    void set(double z, int n) {
+        radii.clear();
+        weights.clear();
+        const double end = std::sinh(z);
+        Panels(0, z, n).for_each([&](double s, double weight) {
+            const double r = std::sinh(s) / end;
+            radii.push_back(r);
+            weights.push_back(weight * r * std::cosh(s) / end);
+        });
+    }
+};
+
+/// The triangles between y* and the polygon's edges, in polar coordinates about y*.
+void add_near(const Eye &eye, std::span<const Vec2> piece, const Vec2 &nearest, const Vec2 &foot_of_x, double distance,
+              int n, WeightedPoints &out) {
+    // One radial grading for all directions, that of the longest: shorter reaches only move the poles away.
+    double longest = 0;
+    for (const Vec2 &corner : piece)
+        longest = std::max(longest, (corner - nearest).norm());
+    thread_local RadialRule radial;
+    radial.set(std::asinh(longest / distance), n);
+    const double facing = eye.facing(nearest);
+    const Vec2 n_plane(eye.n.dot(eye.source.u), eye.n.dot(eye.source.v));
     for (std::size_t k = 0; k < piece.size(); ++k) {
         const Vec2 a = piece[k] - nearest, b = piece[k + 1 < piece.size() ? k + 1 : 0] - nearest;
         const double length = (b - a).norm();
@@ -81,19 +117,16 @@ void add_near(const Eye &eye, const ElementBasis &basis, std::span<const Vec2> p
         const Vec2 foot = a - from * along;
         const double scale = std::max(off, distance);
         Panels(std::asinh(from / scale), std::asinh(to / scale), n).for_each([&](double w, double w_weight) {
-            const Vec2 q = foot + scale * std::sinh(w) * along;
-            const double reach = q.norm();
-            const double angle = w_weight * scale * std::cosh(w) * off / (reach * reach);
-            const Panels radial(0, std::asinh(reach / distance), n);
-            radial.for_each([&](double z, double z_weight) {
-                const double r = distance * std::sinh(z);
-                const Vec2 p = nearest + (r / reach) * q;
-                const double g = angle * z_weight * distance * std::cosh(z) * r * eye.kernel(p);
-                const BasisValues value = basis.evaluate(p);
-                for (std::size_t m = 1; m < moments.size(); ++m)
-                    moments[m] += g * (value[static_cast<Eigen::Index>(m)] - at_nearest[static_cast<Eigen::Index>(m)]);
-            });
-            work.kernel_evaluations += radial.size();
+            const Vec2 reach = foot + scale * std::sinh(w) * along;
+            const double area = w_weight * scale * std::cosh(w) * off; // twice that of the triangle
+            // |y - x|^2 and n . (y - x) along the ray to the edge.
+            const double r2_1 = 2 * reach.dot(nearest - foot_of_x), r2_2 = reach.squaredNorm();
+            const double turn = reach.dot(n_plane);
+            for (std::size_t i = 0; i < radial.radii.size(); ++i) {
+                const double s = radial.radii[i];
+                const double r2 = distance * distance + s * (r2_1 + s * r2_2);
+                out.add(nearest + s * reach, area * radial.weights[i] * eye.kernel(facing + s * turn, r2));
+            }
         });
     }
 }
@@ -104,29 +137,36 @@ void source_moments(const Vec3 &x, const Vec3 &n, const PlaneFrame &source, cons
                     const ConvexPieces &pieces, double accuracy, std::span<double> moments, Work &work) {
     std::ranges::fill(moments, 0.0);
     const double digits = std::log(1 / accuracy);
-    const Eye eye{x, n, source, source.origin - x};
+    const Eye eye{n, source, source.origin - x, source.height(x)};
+    const Vec2 foot = source.to_plane(x);
+    thread_local WeightedPoints samples;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::span<const Vec2> piece = pieces[i];
         const double whole = lambert(x, n, source, piece);
         ++work.kernel_evaluations;
-        moments[0] += whole;
-        if (moments.size() == 1)
+        if (moments.size() == 1) {
+            moments[0] += whole;
             continue;
-        const Vec2 foot = source.to_plane(x);
+        }
         const Vec2 nearest = nearest_point(piece, foot);
         const double size = radius(piece);
-        const double distance = std::max(std::hypot(source.height(x), (foot - nearest).norm()), 1e-14 * size);
+        const double distance = std::max(std::hypot(eye.height, (foot - nearest).norm()), 1e-14 * size);
+        samples.clear();
         // Gauss converges as rho^(-2n), rho the Bernstein ellipse that keeps clear of the kernel's poles.
         const double n_far = std::ceil(digits / (2 * std::asinh(distance / size)) + 2);
-        if (n_far <= 8) {
-            add_far(eye, basis, piece, static_cast<int>(n_far), moments, work);
-        } else {
-            const BasisValues at_nearest = basis.evaluate(nearest);
-            for (std::size_t m = 1; m < moments.size(); ++m)
-                moments[m] += whole * at_nearest[static_cast<Eigen::Index>(m)];
-            const int n_near = static_cast<int>(std::ceil(0.45 * digits)) + 3;
-            add_near(eye, basis, piece, nearest, distance, at_nearest, n_near, moments, work);
-        }
+        if (n_far <= 8)
+            add_far(eye, piece, static_cast<int>(n_far), samples);
+        else
+            add_near(eye, piece, nearest, foot, distance, static_cast<int>(std::ceil(0.45 * digits)) + 3, samples);
+        work.kernel_evaluations += static_cast<std::int64_t>(samples.points.size());
+        std::array<double, max_functions> sums{};
+        const std::span<double> piece_moments(sums.data(), moments.size());
+        basis.add_weighted(samples.points, samples.weights, piece_moments);
+        // The part that Lambert's form has exactly, N_j(y*), is taken out of the rule's error.
+        const BasisValues at_nearest = basis.evaluate(nearest);
+        const double missing = whole - sums[0];
+        for (std::size_t m = 0; m < moments.size(); ++m)
+            moments[m] += piece_moments[m] + missing * at_nearest[static_cast<Eigen::Index>(m)];
     }
 }
 
