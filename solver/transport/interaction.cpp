@@ -292,7 +292,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     const int order = p.basis.order();
     const int n_rows = weak ? 1 : p.basis.n_functions();
     // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a fit, more.
-    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(transport.accuracy))) - 3);
+    const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(transport.accuracy))) - 3);
     const int n_points = weak ? 2 : order + 1 + digits;
     const int n_levels = near && !weak ? digits : 0;
 
