@@ -31,7 +31,8 @@ void main() {
         b = mix(b, a, k);
         t = mix(t, s, k);
     }
-    vec4 clip_a = projection * vec4(a * (1.0 - lift), 1.0), clip_b = projection * vec4(b * (1.0 - lift), 1.0);
+    float away = (surface >= 0 ? push_back(surface) : 1.0) - lift; // lines of a covered surface stay below the cover
+    vec4 clip_a = projection * vec4(a * away, 1.0), clip_b = projection * vec4(b * away, 1.0);
     vec2 way = (clip_b.xy / clip_b.w - clip_a.xy / clip_a.w) * 0.5 * viewport;
     float pixels = length(way);
     vec2 ahead = pixels > 0.0 ? way / pixels : vec2(1.0, 0.0);

@@ -19,6 +19,6 @@ bool faces_eye(int surface) {
 
 // Of two surfaces in one plane the covered one has the higher rank and is pushed back by it, along the ray to the eye:
 // nothing moves on the screen.
-float push_back(int surface) { return 1.0 + 1e-4 * texelFetch(surfaces, 4 * surface).w; }
+float push_back(int surface) { return 1.0 + 3e-3 * texelFetch(surfaces, 4 * surface).w; }
 
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0); // outside the clip volume

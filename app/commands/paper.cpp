@@ -39,8 +39,18 @@ PictureSpec on_paper(int width, int height) {
     return spec;
 }
 
+/// Floor and blocker fill the frame, the lamp is above it. From the lamp's side: seen from the other one, or from right above,
+/// the blocker would stand before the penumbra.
+Camera from_the_lamps_side(const Snapshot &snapshot, double aspect) {
+    Camera camera;
+    camera.target = {0, 0, 0};
+    camera.eye = {-0.45, -1.0, 1.1};
+    camera.fov_y = 24;
+    return fit(camera, snapshot, aspect, Subject::all_but_lamps);
+}
+
 void draw(PictureSpec spec, const Scene &scene, const std::filesystem::path &file) {
-    spec.camera = first_view(scene, *spec.panes.front().snapshot, pane_aspect(spec));
+    spec.camera = from_the_lamps_side(*spec.panes.front().snapshot, pane_aspect(spec));
     write_png(file, draw_picture(spec), picture_state(spec, scene.file));
 }
 

@@ -1,18 +1,22 @@
 #include "commands/command.h"
+#include "commands/solving_options.h"
 #include "commands/terminal.h"
 #include "scene/bundled.h"
 
 #include <fmt/format.h>
+#include <memory>
 
 namespace penumbra {
 
 Command add_scenes(CLI::App &root) {
     CLI::App *parser = root.add_subcommand("scenes", "The bundled scenes, with a line on each");
-    return {parser, [] {
+    const auto common = std::make_shared<CommonOptions>();
+    add_common_options(*parser, *common, "The list; standard output unless given");
+    return {parser, [common] {
                 std::string text;
                 for (const BundledScene &scene : bundled_scenes())
                     text += fmt::format("{:<14} {}\n", scene.name, scene.description());
-                deliver("", text);
+                deliver(common->output, text);
                 return done;
             }};
 }

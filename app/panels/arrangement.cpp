@@ -18,7 +18,8 @@ std::vector<WindowRect> split(const WindowRect &area, int columns, int rows, flo
 }
 } // namespace
 
-Arrangement arrange(const AppState &state, float width, float height, float top, float em) {
+Arrangement arrange(const AppState &state, float width, float height, float top, float em,
+                    const std::function<float(float)> &legend_height) {
     Arrangement a;
     WindowRect rest{0, 0, width, height};
     if (!state.panels_hidden) {
@@ -35,7 +36,8 @@ Arrangement arrange(const AppState &state, float width, float height, float top,
     a.panes = rest;
     WindowRect scene = rest;
     if (!state.legend_hidden) {
-        const float strip = std::round(1.9f * em);
+        const float needed = legend_height(rest.width - 1.6f * em) + 0.8f * em;
+        const float strip = std::round(std::clamp(needed, 1.9f * em, 0.4f * rest.height));
         a.legend = {rest.x, rest.y + rest.height - strip, rest.width, strip};
         scene.height = std::max(1.f, rest.height - strip);
     }

@@ -3,6 +3,7 @@
 
 #include "app_state.h"
 
+#include <functional>
 #include <vector>
 
 namespace penumbra {
@@ -14,7 +15,9 @@ struct Arrangement {
     std::vector<WindowRect> pane;   ///< from the upper left, row by row
 };
 
-/// `width`, `height`: of the window [screen coordinates]; `top`: height of the menu bar; `em`: of the text.
-Arrangement arrange(const AppState &state, float width, float height, float top, float em);
+/// `width`, `height`: of the window [screen coordinates]; `top`: height of the menu bar; `em`: of the text;
+/// `legend_height`: what the legend of lines needs in a strip of the width that it is given.
+Arrangement arrange(const AppState &state, float width, float height, float top, float em,
+                    const std::function<float(float)> &legend_height);
 
 } // namespace penumbra

@@ -159,8 +159,10 @@ void figure(const char *name, const std::string &value, const char *sentence) {
     ImGui::BeginGroup();
     ImGui::TextDisabled("%s", name);
     ImGui::SameLine();
-    const float width = ImGui::CalcTextSize(value.c_str()).x;
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
+    const float at = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x;
+    if (at < ImGui::GetCursorPosX())
+        ImGui::NewLine(); // too long to stand beside its name
+    ImGui::SetCursorPosX(at);
     ImGui::TextUnformatted(value.c_str());
     ImGui::EndGroup();
     if (sentence)

@@ -27,16 +27,16 @@ Axes axes(const Camera &camera) {
     return {right, glm::cross(right, forward), forward};
 }
 
-/// Where the solution is: corners of what reflects or emits; of everything when nothing does.
-std::vector<glm::dvec3> corners_to_show(const Snapshot &snapshot) {
-    std::vector<glm::dvec3> lit, all;
+/// Corners of the subject; of everything when there is no such surface.
+std::vector<glm::dvec3> corners_to_show(const Snapshot &snapshot, Subject subject) {
+    std::vector<glm::dvec3> shown, all;
     for (const SnapshotSurface &s : snapshot.surfaces)
         for (const Vec2 &p : s.outline) {
             all.push_back(to_glm(to_space(s, p)));
-            if (role(s) != SurfaceRole::blocker)
-                lit.push_back(all.back());
+            if (role(s) != (subject == Subject::lit_and_lamps ? SurfaceRole::blocker : SurfaceRole::emitter))
+                shown.push_back(all.back());
         }
-    return lit.empty() ? all : lit;
+    return shown.empty() ? all : shown;
 }
 
 /// Direction from the room's middle to its open side, of several alike the one nearest to `front`; nothing where there
@@ -120,8 +120,8 @@ Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect) {
     return aspect < meant_for ? zoom(camera, meant_for / aspect, camera.target) : camera;
 }
 
-Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect) {
-    const std::vector<glm::dvec3> corners = corners_to_show(snapshot);
+Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect, Subject subject) {
+    const std::vector<glm::dvec3> corners = corners_to_show(snapshot, subject);
     if (corners.empty())
         return camera;
     // The frame's four sides are planes through the eye. In the camera's axes the two upright ones ask

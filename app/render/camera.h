@@ -31,8 +31,9 @@ Camera default_view(const Snapshot &snapshot, double aspect, const Vec3 &up = Ve
 /// The view that the scene's file asks for, or else the default one. A file's view is meant for frames of 4:3 and wider;
 /// a narrower one shows it from farther away.
 Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect);
-/// The same direction of view, moved and pulled back so that all surfaces just fill the frame.
-Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect);
+enum class Subject { lit_and_lamps, all_but_lamps }; ///< surfaces that reflect or emit; those that do not emit
+/// The same direction of view, moved and pulled back so that the subject just fills the frame.
+Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect, Subject subject = Subject::lit_and_lamps);
 
 /// Turns about `pivot` by `yaw` around up and by `pitch` around the view's right [radians]; the pitch stops short of
 /// the poles. With the target as pivot the usual orbit.

@@ -79,15 +79,16 @@ std::vector<glm::vec4> patch_texels(const Snapshot &snapshot, double size,
     return texels;
 }
 
-/// Fans of the patches' borders. Corners of others on a side make triangles without area that close the cracks there.
+/// Fans from the patches' centres to their borders: also where corners of others lie on a side no triangle is without
+/// area, whose depth would be anything.
 std::vector<glm::vec4> vertex_texels(const Snapshot &snapshot, double size, const std::vector<std::vector<Vec2>> &borders) {
     std::vector<glm::vec4> texels;
     for (std::size_t i = 0; i < snapshot.patches.size(); ++i) {
         const SnapshotPatch &p = snapshot.patches[i];
         const double unit = unit_of(p);
-        for (std::size_t k = 1; k + 1 < borders[i].size(); ++k)
-            for (const std::size_t corner : {std::size_t{0}, k, k + 1}) {
-                const Vec2 &x = borders[i][corner];
+        const Vec2 centre = (p.corners[0] + p.corners[1] + p.corners[2] + p.corners[3]) / 4;
+        for (std::size_t k = 0; k < borders[i].size(); ++k)
+            for (const Vec2 &x : {centre, borders[i][k], borders[i][(k + 1) % borders[i].size()]}) {
                 texels.emplace_back(to_vec2(x / size), to_vec2((x - p.corners[0]) / unit));
                 texels.emplace_back(static_cast<float>(i), 0.f, 0.f, 0.f); // exact up to 2^24
             }

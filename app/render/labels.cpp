@@ -40,9 +40,9 @@ std::string formatted(const char *format, double x) {
     return text;
 }
 
-/// Three significant digits, never as a power of ten.
+/// Three significant digits.
 std::string three_digits(double x) {
-    return formatted(x >= 100 ? "%.0f" : x >= 10 ? "%.1f" : x >= 1 ? "%.2f" : x >= 0.1 ? "%.3f" : "%.4f", x);
+    return formatted(x >= 100 ? "%.0f" : x >= 10 ? "%.1f" : x >= 1 ? "%.2f" : "%.3g", x);
 }
 
 constexpr float line_height = 1.28f; // of the text height
@@ -82,10 +82,14 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
     if (snapshot.error >= 0)
         label.figures.push_back("error " + three_digits(100 * snapshot.error) + " %");
     if (c.iteration > 0 || c.seconds > 0)
-        label.figures.push_back(three_digits(c.seconds) + " s");
-    label.footnote = snapshot.scene + ", " +
-                     (c.iteration == 0 ? "before the first step"
-                                       : "step " + std::to_string(c.iteration) + ", after " + std::string(name(snapshot.phase)));
+        label.figures.push_back(c.seconds < 0.1 ? three_digits(1000 * c.seconds) + " ms" : three_digits(c.seconds) + " s");
+    label.footnote = snapshot.scene + ", ";
+    if (c.iteration == 0)
+        label.footnote += "before the first step";
+    else if (c.converged)
+        label.footnote += "converged in " + counted(c.iteration, "step", "steps");
+    else
+        label.footnote += "step " + std::to_string(c.iteration) + ", after " + std::string(name(snapshot.phase));
     return label;
 }
 

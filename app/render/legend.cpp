@@ -23,27 +23,34 @@ ImVec2 size_of(const Fonts &fonts, float size, const std::string &text) {
     return fonts.text->CalcTextSizeA(size, 1e9f, 0, text.c_str());
 }
 
-/// Values at 1, 2 or 5 times a power of ten apart, about n of them.
-std::vector<double> ticks(const Range &range, double n) {
-    const double span = range.high - range.low;
+struct Ticks {
     std::vector<double> values;
+    double step = 1;
+};
+
+/// Values at 1, 2 or 5 times a power of ten apart, about n of them.
+Ticks ticks(const Range &range, double n) {
+    const double span = range.high - range.low;
+    Ticks result;
     if (!(span > 0) || !std::isfinite(span))
-        return values;
+        return result;
     const double power = std::pow(10.0, std::floor(std::log10(span / n)));
     const double ratio = span / n / power, step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
     for (double k = std::ceil(range.low / step - 1e-9); k * step <= range.high + 1e-9 * span; ++k)
-        values.push_back(k * step);
-    return values;
+        result.values.push_back(k * step);
+    result.step = step;
+    return result;
 }
 
-std::string tick_text(double value, const Range &range) {
+/// With as many decimals as tell ticks apart that lie `step` from each other.
+std::string tick_text(double value, double step) {
     char text[32];
-    const double span = range.high - range.low;
-    const int decimals = static_cast<int>(std::clamp(std::ceil(-std::log10(span / 5)), 0.0, 6.0));
-    if (span < 1e-5 || span >= 1e6)
+    if (step < 1e-5 || std::abs(value) >= 1e6) {
         std::snprintf(text, sizeof text, "%.3g", value);
-    else
-        std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value) < 1e-9 * span ? 0.0 : value);
+        return text;
+    }
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value) < 1e-9 * step ? 0.0 : value);
     return text;
 }
 
@@ -80,9 +87,9 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
                           const Range &range) {
     const float em = fonts.size, bar = 0.9f * em, gap = 0.35f * em;
     float text_width = 0;
-    const std::vector<double> marks = ticks(range, std::clamp(bar_height / (2.2f * em), 2.f, 6.f));
-    for (const double v : marks)
-        text_width = std::max(text_width, size_of(fonts, em, tick_text(v, range)).x);
+    const Ticks marks = ticks(range, std::clamp(bar_height / (2.2f * em), 2.f, 6.f));
+    for (const double v : marks.values)
+        text_width = std::max(text_width, size_of(fonts, em, tick_text(v, marks.step)).x);
     const std::string head = heading(look);
     const float width = std::max(bar + 2 * gap + text_width, size_of(fonts, em, head).x);
     list.AddText(fonts.text, em, {corner.x - size_of(fonts, em, head).x, corner.y}, ink(look), head.c_str());
@@ -92,10 +99,10 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
         return std::pair(ImVec2(left, y(i + 1)), ImVec2(right, y(i)));
     });
     list.AddRect({left, top}, {right, top + bar_height}, ink(look));
-    for (const double v : marks) {
+    for (const double v : marks.values) {
         const float y = top + bar_height * static_cast<float>(1 - (v - range.low) / (range.high - range.low));
         list.AddLine({right, y}, {right + gap, y}, ink(look));
-        list.AddText(fonts.text, em, {right + 2 * gap, y - 0.5f * em}, ink(look), tick_text(v, range).c_str());
+        list.AddText(fonts.text, em, {right + 2 * gap, y - 0.5f * em}, ink(look), tick_text(v, marks.step).c_str());
     }
     return {width, bar_height + 2.3f * em};
 }
@@ -110,9 +117,10 @@ ImVec2 draw_colour_legend_lying(ImDrawList &list, const Fonts &fonts, ImVec2 cor
         return std::pair(ImVec2(x(i), top), ImVec2(x(i + 1), top + bar));
     });
     list.AddRect({left, top}, {left + width, top + bar}, ink(look));
-    for (const double v : ticks(range, std::clamp(width / (5 * em), 2.f, 6.f))) {
+    const Ticks marks = ticks(range, std::clamp(width / (5 * em), 2.f, 6.f));
+    for (const double v : marks.values) {
         const float x = left + width * static_cast<float>((v - range.low) / (range.high - range.low));
-        const std::string text = tick_text(v, range);
+        const std::string text = tick_text(v, marks.step);
         const float text_width = size_of(fonts, em, text).x;
         list.AddLine({x, top + bar}, {x, top + bar + 0.25f * em}, ink(look));
         list.AddText(fonts.text, em,
@@ -134,7 +142,7 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
     static const char *const kinds[] = {"VE: light's corner, blocker's edge", "EV: light's edge, blocker's corner",
                                         "EEE: three edges", "plane seen edge-on", "contact"};
     std::vector<LegendEntry> entries;
-    bool uniform = false, cut = false, fresh = false;
+    bool uniform = false, cut = false, fresh = false, blocker = false;
     std::set<std::pair<int, int>> curves;
     for (const Snapshot *s : snapshots) {
         for (const SnapshotPatch &p : s->patches)
@@ -143,6 +151,8 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
                 cut |= kind == SideKind::cut;
                 fresh |= p.fresh && kind == SideKind::uniform;
             }
+        for (const SnapshotSurface &surface : s->surfaces)
+            blocker |= role(surface) == SurfaceRole::blocker;
         if (s->curves)
             for (const SnapshotCurve &c : *s->curves)
                 curves.emplace(c.kind, c.order);
@@ -164,6 +174,9 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
             const std::string jump = order == 0 ? " (value jumps)" : order == 1 ? " (slope jumps)" : "";
             entries.push_back({curve_colour(kind), stroke.width, stroke.dash, stroke.drawn, kinds[std::clamp(kind, 0, 4)] + jump});
         }
+    if (blocker)
+        entries.push_back({to_imgui(outline_colour(SurfaceRole::blocker, look.theme)), outline_width(SurfaceRole::blocker), 0, 1,
+                           "blocker, seen through"});
     return entries;
 }
 

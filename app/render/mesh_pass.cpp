@@ -22,12 +22,23 @@ void draw_mesh(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu
     lines.draw(frame, gpu.mesh_lines, styles, 4e-4f);
 }
 
+glm::vec4 outline_colour(SurfaceRole role, Theme theme) {
+    const bool dark = theme == Theme::dark;
+    if (role == SurfaceRole::emitter)
+        return {0.95, 0.62, 0.1, 1};
+    if (role == SurfaceRole::blocker)
+        return dark ? glm::vec4(0.8, 0.83, 0.88, 0.9) : glm::vec4(0.1, 0.12, 0.16, 0.9);
+    return dark ? glm::vec4(0.62, 0.66, 0.72, 0.55) : glm::vec4(0.2, 0.22, 0.26, 0.7);
+}
+
+float outline_width(SurfaceRole role) {
+    return role == SurfaceRole::emitter ? 2.f : role == SurfaceRole::blocker ? 1.5f : 1.f;
+}
+
 void draw_outlines(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu) {
-    const bool dark = frame.look.theme == Theme::dark;
     LineStyles styles;
-    styles.set(styles::outline(SurfaceRole::reflector), dark ? glm::vec4(0.62, 0.66, 0.72, 0.55) : glm::vec4(0.2, 0.22, 0.26, 0.7), 1.f);
-    styles.set(styles::outline(SurfaceRole::emitter), {0.95, 0.62, 0.1, 1}, 2.f);
-    styles.set(styles::outline(SurfaceRole::blocker), dark ? glm::vec4(0.8, 0.83, 0.88, 0.9) : glm::vec4(0.1, 0.12, 0.16, 0.9), 1.5f);
+    for (const SurfaceRole role : {SurfaceRole::reflector, SurfaceRole::emitter, SurfaceRole::blocker})
+        styles.set(styles::outline(role), outline_colour(role, frame.look.theme), outline_width(role));
     lines.draw(frame, gpu.outlines, styles, 1.2e-3f);
 }
 

@@ -3,6 +3,7 @@
 
 #include "render/gpu_snapshot.h"
 #include "render/line_pass.h"
+#include "render/surface_role.h"
 
 namespace penumbra {
 
@@ -11,6 +12,8 @@ glm::vec4 mesh_colour(SideKind kind, bool fresh);
 float mesh_width(SideKind kind, bool fresh);
 
 void draw_mesh(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu);
+glm::vec4 outline_colour(SurfaceRole role, Theme theme);
+float outline_width(SurfaceRole role);
 /// Borders of all surfaces, so that rooms and lamps keep their shape with the mesh off.
 void draw_outlines(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu);
 

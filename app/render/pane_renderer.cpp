@@ -90,8 +90,12 @@ void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect 
         const GpuSnapshot &gpu = parts_->gpu;
         glBindVertexArray(parts_->no_attributes.name());
         gpu.surfaces.bind(0);
+        // A line is as deep as its middle all over its width: surfaces make room by as many pixels of their own slope.
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(3 * frame.scale, 4);
         parts_->surfaces.draw(frame, gpu, false);
         parts_->glass.draw_covers(frame, gpu);
+        glDisable(GL_POLYGON_OFFSET_FILL);
         glEnable(GL_BLEND);
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         glDepthMask(GL_FALSE);

@@ -31,6 +31,7 @@ struct GlfwWindow::Callbacks {
         self.touched_ = true;
         if (action == GLFW_RELEASE)
             return;
+        self.pressed_.push_back(key);
         const std::string word = key_word(key, scancode, mods);
         const bool text = ImGui::GetIO().WantTextInput && !(mods & GLFW_MOD_CONTROL) && word != "Escape" &&
                           !(key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12);
@@ -130,7 +131,23 @@ void GlfwWindow::framebuffer_size(int &width, int &height) const { glfwGetFrameb
 void GlfwWindow::begin_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    show_short_presses();
     ImGui::NewFrame();
+}
+
+/// ImGui before 1.87 looks only at the state of the keys when a frame begins: one that went down and up again since the
+/// last frame must be held for it until the next.
+void GlfwWindow::show_short_presses() {
+#if IMGUI_VERSION_NUM < 18700
+    bool *down = ImGui::GetIO().KeysDown;
+    for (int key = 0; key <= GLFW_KEY_LAST; ++key)
+        if (down[key] && glfwGetKey(window_, key) == GLFW_RELEASE)
+            down[key] = false;
+    for (const int key : pressed_)
+        if (key >= 0 && key <= GLFW_KEY_LAST)
+            down[key] = true;
+#endif
+    pressed_.clear();
 }
 
 void GlfwWindow::draw_interface() {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -44,8 +45,11 @@ public:
 
 private:
     struct Callbacks;
+    void show_short_presses();
+
     GLFWwindow *window_ = nullptr;
     Events events_;
+    std::vector<int> pressed_; ///< GLFW keys, since the last frame
     bool touched_ = true, drawn_ = false;
 };
 

@@ -19,6 +19,8 @@ namespace penumbra {
 namespace {
 
 constexpr double text_height = 15; ///< screen coordinates at scale 1
+/// ImGui may need one frame for the press of a button, one for its release, and one more for what follows from it.
+constexpr int frames_to_settle = 4;
 constexpr double fresh_seconds = 2.5; ///< how long new patches stand out
 
 AppState first_state(const ViewerSetup &setup) {
@@ -51,7 +53,7 @@ void Viewer::run() {
         take_reports();
         serve_requests();
         if (window_.take_touched())
-            frames_owed_ = 2;
+            frames_owed_ = frames_to_settle;
         if (state_.busy || state_.playing)
             frames_owed_ = std::max(frames_owed_, 1);
         if (frames_owed_ <= 0)
@@ -74,7 +76,7 @@ void Viewer::take_reports() {
         if (std::holds_alternative<Stopped>(report) && cancelled_at_)
             state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
         apply(state_, report);
-        frames_owed_ = 2;
+        frames_owed_ = frames_to_settle;
     }
 }
 
@@ -83,7 +85,7 @@ void Viewer::serve_requests() {
     if (auto name = std::exchange(state_.open_request, std::nullopt)) {
         state_.opening = *name;
         worker_.open(std::move(*name));
-        frames_owed_ = 2;
+        frames_owed_ = frames_to_settle;
     }
     if (std::exchange(state_.cancel_request, false)) {
         cancelled_at_ = Clock::now();
@@ -98,8 +100,11 @@ void Viewer::serve_requests() {
 
 /// How long nothing will change unless an event comes; negative: for ever.
 double Viewer::wait_time() {
+    const bool played = state_.playing;
     double wait = advance_play(state_, Clock::now());
     serve_requests();
+    if (played != state_.playing)
+        frames_owed_ = frames_to_settle;
     if (state_.busy)
         wait = sooner(wait, 0.1); // its clock runs
     if (state_.look.emphasise_fresh) {
@@ -109,7 +114,7 @@ double Viewer::wait_time() {
         else if (left > -0.1)
             frames_owed_ = std::max(frames_owed_, 1);
     }
-    return wait;
+    return frames_owed_ > 0 ? 0 : wait;
 }
 
 void Viewer::set_first_view() {
@@ -170,8 +175,9 @@ void Viewer::draw_frame() {
     if (!state_.panels_hidden)
         draw_menu_bar(state_);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float top = state_.panels_hidden ? 0 : ImGui::GetFrameHeight();
-    const Arrangement arrangement = arrange(state_, size.x, size.y, top, ImGui::GetFontSize());
+    const float top = state_.panels_hidden ? 0 : std::ceil(ImGui::GetFrameHeight()); // whole pixels
+    const Arrangement arrangement = arrange(
+        state_, size.x, size.y, top, ImGui::GetFontSize(), [this](float width) { return legend_height(width); });
     state_.pane_aspect = static_cast<double>(arrangement.pane[0].width / arrangement.pane[0].height);
     set_first_view();
     update_range();
@@ -185,6 +191,17 @@ void Viewer::draw_frame() {
     window_.draw_interface();
     take_pictures();
     window_.swap();
+}
+
+float Viewer::legend_height(float width) const {
+    std::vector<std::shared_ptr<const Snapshot>> kept;
+    std::vector<const Snapshot *> snapshots;
+    for (const Strategy s : state_.shown())
+        if (auto snapshot = state_.snapshot(s)) {
+            snapshots.push_back(snapshot.get());
+            kept.push_back(std::move(snapshot));
+        }
+    return line_legend_size(fonts_, width, state_.look, snapshots).y;
 }
 
 void Viewer::draw_panels(const Arrangement &arrangement) {
@@ -208,7 +225,7 @@ void Viewer::take_pictures() {
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
     take_picture(state_, *request, width, height);
-    frames_owed_ = 2;
+    frames_owed_ = frames_to_settle;
 }
 
 void Viewer::write_state() {

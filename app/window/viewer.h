@@ -41,6 +41,7 @@ private:
     void set_first_view();
     void update_range();
     Look look_now() const;
+    float legend_height(float width) const;
     void draw_frame();
     void draw_panels(const struct Arrangement &arrangement);
     void take_pictures();

@@ -1,6 +1,7 @@
 #include "core/parallel.h"
 
 #include <atomic>
+#include <memory>
 #include <thread>
 
 #ifdef PENUMBRA_JTHREADS
@@ -9,6 +10,7 @@
 #include <vector>
 #else
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -19,14 +21,14 @@ namespace {
 std::atomic<int> n_threads{0};
 }
 
-void set_threads(int n) { n_threads = n; }
-
 int threads() {
     const int n = n_threads;
     return n > 0 ? n : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 #ifdef PENUMBRA_JTHREADS
+
+void set_threads(int n) { n_threads = n; }
 
 void parallel_for(std::size_t n, const std::function<void(std::size_t)> &body) {
     std::atomic<std::size_t> next{0};
@@ -55,6 +57,17 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)> &body) {
 }
 
 #else
+
+void set_threads(int n) {
+    // TBB starts no more workers than there are cores, and complains on standard error, unless told that more are meant.
+    static std::unique_ptr<tbb::global_control> limit;
+    if (n_threads.exchange(n) == n)
+        return;
+    limit.reset(); // several at a time: the least would hold
+    if (n > 0)
+        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(n));
+}
 
 void parallel_for(std::size_t n, const std::function<void(std::size_t)> &body) {
     if (threads() == 1 || n < 2) {

@@ -20,7 +20,13 @@ std::vector<Polygon> convex_parts(const Polygon &polygon) {
     if (input.is_convex())
         return {polygon};
     std::list<Part> found;
-    CGAL::optimal_convex_partition_2(input.vertices_begin(), input.vertices_end(), std::back_inserter(found));
+    // The optimal partition takes O(n^4) time and O(n^3) memory (Greene 1983); the other has at most four times as many
+    // parts (Hertel & Mehlhorn 1983).
+    constexpr std::size_t largest_for_optimal = 32;
+    if (polygon.size() <= largest_for_optimal)
+        CGAL::optimal_convex_partition_2(input.vertices_begin(), input.vertices_end(), std::back_inserter(found));
+    else
+        CGAL::approx_convex_partition_2(input.vertices_begin(), input.vertices_end(), std::back_inserter(found));
     std::vector<Polygon> parts;
     for (const Part &part : found) {
         Polygon &out = parts.emplace_back();

@@ -22,7 +22,8 @@ bool contains(std::span<const Vec2> convex, const Vec2 &p, double slack = 0);
 Vec2 nearest_point(std::span<const Vec2> convex, const Vec2 &p);
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
 Polygon convex_hull(Polygon points);
-/// Convex parts of a simple counter-clockwise polygon (CGAL, optimal partition); the polygon itself when it is convex.
+/// Convex parts of a simple counter-clockwise polygon (CGAL; as few as possible up to 32 corners); the polygon itself
+/// when it is convex.
 std::vector<Polygon> convex_parts(const Polygon &polygon);
 /// The convex polygon in pieces of at most four corners: the quads and triangles of the parametric basis.
 std::vector<Polygon> quads_and_triangles(const Polygon &convex);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace penumbra {
 
@@ -73,25 +75,41 @@ void cover(Surface &below, const Surface &above) {
     }
 }
 
-} // namespace
-
-void find_covers(Scene &scene) {
+/// Indices i < j, ascending, of surfaces whose boxes meet: a sweep along x.
+std::vector<std::pair<std::size_t, std::size_t>> meeting_pairs(const Scene &scene) {
     std::vector<Box> boxes;
     for (const Surface &surface : scene.surfaces)
         boxes.push_back(box_of(surface));
-    const auto n = static_cast<std::size_t>(scene.n_surfaces());
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = i + 1; j < n; ++j) {
-            Surface &a = scene.surfaces[i], &b = scene.surfaces[j];
-            if (a.face == b.face || !boxes[i].meets(boxes[j]) || !coplanar(a, b))
-                continue;
-            const bool opposite = a.frame.normal.dot(b.frame.normal) < 0;
-            const bool a_on_top = scene.emits(SurfaceId(i)) && !scene.emits(SurfaceId(j));
-            if (opposite || !a_on_top)
-                cover(a, b);
-            if (opposite || a_on_top)
-                cover(b, a);
+    std::vector<std::size_t> by_x(boxes.size());
+    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+    std::ranges::sort(by_x, {}, [&](std::size_t i) { return boxes[i].low.x(); });
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t k = 0; k < by_x.size(); ++k)
+        for (std::size_t l = k + 1; l < by_x.size(); ++l) {
+            const Box &a = boxes[by_x[k]], &b = boxes[by_x[l]];
+            if (b.low.x() > a.high.x() + coplanar_within)
+                break;
+            if (a.meets(b))
+                pairs.push_back(std::minmax(by_x[k], by_x[l]));
         }
+    std::ranges::sort(pairs);
+    return pairs;
+}
+
+} // namespace
+
+void find_covers(Scene &scene) {
+    for (const auto &[i, j] : meeting_pairs(scene)) {
+        Surface &a = scene.surfaces[i], &b = scene.surfaces[j];
+        if (a.face == b.face || !coplanar(a, b))
+            continue;
+        const bool opposite = a.frame.normal.dot(b.frame.normal) < 0;
+        const bool a_on_top = scene.emits(SurfaceId(i)) && !scene.emits(SurfaceId(j));
+        if (opposite || !a_on_top)
+            cover(a, b);
+        if (opposite || a_on_top)
+            cover(b, a);
+    }
 }
 
 } // namespace penumbra

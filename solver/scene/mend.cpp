@@ -126,8 +126,9 @@ std::vector<Loop> mend(const RawFace &face, Notes &notes) {
     }
     if (bend > 1e-3 * flat_within)
         notes.add("bent faces flattened", fmt::format("{} is bent by {:.2g} of its size: flattened", who(face), bend));
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        loop[i] = plane.to_space(outline[i]);
+    if (bend > same_within) // else the corners stay those that neighbours share, to the last bit
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            loop[i] = plane.to_space(outline[i]);
     return {without_straight_corners(std::move(loop))};
 }
 

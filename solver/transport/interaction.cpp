@@ -3,6 +3,7 @@
 #include "core/check.h"
 #include "transport/lambert.h"
 #include "transport/receiver_points.h"
+#include "transport/shadow_points.h"
 #include "transport/source_moments.h"
 #include "visibility/shaft.h"
 
@@ -58,66 +59,6 @@ bool in_solid(const Blockers &blockers, const Vec3 &x) {
     return std::ranges::any_of(blockers.all(), [&](const Blocker &b) {
         return b.solid >= 0 && !blockers.outside(b.solid, std::span(&x, 1));
     });
-}
-
-/// Where shadows fall on p: the centres of the blockers as seen from the source's centre (a shadow smaller than the
-/// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end). Drawn in
-/// as test points are: on a border that lies in the source's plane (a box that stands on the source) T has no value.
-std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
-                                std::span<const PairBlocker> pair) {
-    constexpr std::size_t most = 24;
-    const PlaneFrame &frame = scene.surface(p.surface).frame;
-    const Polygon &outline = p.basis.outline();
-    std::vector<Vec2> found;
-    const Vec2 middle_of_p = p.basis.centre();
-    const auto add = [&](const Vec2 &at) { found.push_back(at + 0.02 * (middle_of_p - at)); };
-    const auto project = [&](const Vec3 &from, const Vec3 &through) {
-        const double above = frame.height(from), between = frame.height(through);
-        if (between <= 0 || above <= between)
-            return;
-        const Vec2 at = frame.to_plane(from + (above / (above - between)) * (through - from));
-        if (contains(outline, at))
-            add(at);
-    };
-    const Vec3 centre = source.frame.to_space(centroid(source.outline));
-    for (const PairBlocker &b : pair) {
-        const auto &corners = blockers[b.blocker].corners;
-        Vec3 middle = Vec3::Zero();
-        for (const Vec3 &c : corners)
-            middle += c / static_cast<double>(corners.size());
-        project(centre, middle);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
-            for (const Vec3 &from : source.corners) {
-                // The middle of what of this edge's shadow falls on the element.
-                Polygon line;
-                double low = 0, high = 1;
-                const double above = frame.height(from);
-                const double ha = above - frame.height(a), hc = above - frame.height(c);
-                if (ha <= 1e-9 || hc <= 1e-9 || frame.height(a) < 0 || frame.height(c) < 0)
-                    continue;
-                const Vec2 s = frame.to_plane(from + (above / ha) * (a - from));
-                const Vec2 t = frame.to_plane(from + (above / hc) * (c - from));
-                for (const HalfPlane &h : half_planes(outline)) {
-                    const double vs = h.value(s), vt = h.value(t);
-                    if (vs < 0 && vt < 0)
-                        high = -1;
-                    else if (vs < 0)
-                        low = std::max(low, vs / (vs - vt));
-                    else if (vt < 0)
-                        high = std::min(high, vs / (vs - vt));
-                }
-                if (low < high)
-                    add(s + (low + high) / 2 * (t - s));
-            }
-        }
-    }
-    if (found.size() <= most)
-        return found;
-    std::vector<Vec2> thinned;
-    for (std::size_t i = 0; i < most; ++i)
-        thinned.push_back(found[i * found.size() / most]);
-    return thinned;
 }
 
 /// T_j at receiver points, a block of columns for each source node. Under a flat cover of the receiver, which nothing

@@ -50,6 +50,19 @@ Camera over(const Snapshot &snapshot, const SnapshotPatch &patch) {
     return {{eye.x(), eye.y(), eye.z()}, {target.x(), target.y(), target.z()}, {0, 1, 0}, 32};
 }
 
+/// How much the radiosity changes when its place moves by what single precision and the rasteriser's grid cannot tell
+/// apart: next to nothing, but at the apex of a triangle, where all values of a side meet.
+double blur(const Snapshot &snapshot, const Pick &at) {
+    const SnapshotSurface &s = snapshot.surfaces[static_cast<std::size_t>(at.surface)];
+    const SnapshotPatch &patch = snapshot.patches[static_cast<std::size_t>(at.patch)];
+    const Vec2 p((at.point - s.origin).dot(s.u), (at.point - s.origin).dot(s.v));
+    constexpr double ulp = 5e-7; // of coordinates around 1
+    double most = 0;
+    for (const Vec2 &step : {Vec2(ulp, 0), Vec2(-ulp, 0), Vec2(0, ulp), Vec2(0, -ulp)})
+        most = std::max(most, (radiosity(snapshot, patch, p + step) - at.radiosity).abs().maxCoeff());
+    return most;
+}
+
 TEST(ShaderValue, EqualsTheSolversOnPatchesOfAllShapes) {
     const Offscreen context;
     PaneRenderer renderer;
@@ -58,18 +71,24 @@ TEST(ShaderValue, EqualsTheSolversOnPatchesOfAllShapes) {
     for (std::size_t i = 0; i < snapshot->patches.size(); ++i) {
         const Camera camera = over(*snapshot, snapshot->patches[i]);
         const Values values = draw_values(renderer, camera, Shading::polynomial);
-        int compared = 0;
+        int compared = 0, blurred = 0;
         double worst = 0;
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const auto expected = pick(*snapshot, camera, 1, in_frame(x), in_frame(y));
                 if (values.at(x, y)[3] != 1 || !expected || expected->patch != static_cast<int>(i))
                     continue;
+                const double slack = blur(*snapshot, *expected);
+                if (slack > 1e-5) {
+                    ++blurred;
+                    continue;
+                }
                 ++compared;
                 for (int c = 0; c < 3; ++c)
-                    worst = std::max(worst, std::abs(values.at(x, y)[c] - expected->radiosity[c]));
+                    worst = std::max(worst, std::abs(values.at(x, y)[c] - expected->radiosity[c]) - slack);
             }
         EXPECT_GT(compared, 1000) << "patch " << i;
+        EXPECT_LT(blurred, compared / 20) << "patch " << i;
         EXPECT_LT(worst, 1e-5) << "patch " << i << ", values around 1";
     }
 }

@@ -90,16 +90,17 @@ std::shared_ptr<const Snapshot> patch_zoo() {
         rectangle(0.35, 0.02, 0.98, 0.12),
         {Vec2(0.70, 0.20), {0.98, 0.20}, {0.90, 0.45}, {0.74, 0.45}},
         {Vec2(0.02, 0.36), {0.30, 0.40}, {0.33, 0.66}, {0.06, 0.58}},
-        {Vec2(0.35, 0.20), {0.66, 0.21}, {0.66, 0.219}, {0.35, 0.212}},
+        {Vec2(0.35, 0.20), {0.66, 0.21}, {0.66, 0.235}, {0.35, 0.23}},
         {a, b, c, c},
         {Vec2(0.02, 0.70), {0.02, 0.70}, {0.32, 0.75}, {0.10, 0.97}},
         {Vec2(0.36, 0.70), {0.64, 0.72}, {0.64, 0.72}, {0.45, 0.97}},
         {Vec2(0.70, 0.55), {0.97, 0.60}, {0.80, 0.95}, {0.70, 0.55}},
     };
+    constexpr int orders[] = {4, 1, 3, 4, 2, 4, 2, 3, 4};
     std::mt19937 random(7); // the same numbers on every machine, as the standard fixes this generator
     const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
     for (std::size_t k = 0; k < quads.size(); ++k) {
-        const int order = 1 + static_cast<int>(k + 3) % 4;
+        const int order = orders[k];
         std::vector<Rgb> coefficients;
         for (int i = 0; i < order * order; ++i)
             coefficients.push_back(i == 0 ? Rgb(1, 0.9, 0.8) : Rgb(0.1 * (uniform() - 0.5), 0.1 * (uniform() - 0.5), 0.1 * (uniform() - 0.5)));

@@ -25,7 +25,8 @@ public:
         if ((status.data.l[1] & 1) == 0)
             return false; // not wanted there
         send("XdndDrop", 0, CurrentTime, 0, 0);
-        return (answer("XdndFinished").data.l[1] & 1) != 0;
+        // The protocol asks for bit 0 only; GLFW 3.3 puts the number of bytes there.
+        return answer("XdndFinished").data.l[1] != 0;
     }
 
 private:

@@ -55,7 +55,7 @@ TEST(Files, APathIsTyped) {
     session.wait_until("the dialog", [](const Json &s) { return s["open_dialog"] == true; });
     session.settled();
     session.type(file.string());
-    session.key("Return");
+    session.enter();
     session.wait_until("the scene", [](const Json &s) { return s["scene"] == "typed"; });
 }
 

@@ -47,7 +47,7 @@ const std::map<std::string, Expected> &expectations() {
         {"view.reset", {"/camera/eye", nullptr, {"view.fit"}}},
         {"view.brighter", {"/exposure", 0.5, {"view.exposure_0"}}},
         {"view.darker", {"/exposure", -0.5, {"view.exposure_0"}}},
-        {"view.exposure_0", {"/exposure", 0.0, {"view.brighter"}}},
+        {"view.exposure_0", {"/exposure", 0.0, {"view.exposure_0", "view.brighter"}}},
         {"view.panels", {"/panels_hidden", true, {}}},
         {"view.theme", {"/background", "light", {}}},
         {"view.larger", {"/ui_scale", nullptr, {}}},

@@ -134,7 +134,9 @@ TEST_F(PanelsTest, ScenesOfTheToolBar) {
 TEST_F(PanelsTest, TheMouseTellsWhatIsUnderIt) {
     const Box pane = session.widget("pane 0");
     session.move({pane.x + 0.4 * pane.width, pane.y + 0.72 * pane.height});
-    session.wait_until("a surface", [](const Json &s) { return s["under_cursor"].value("surface", -1) == 0; });
+    session.wait_until("a surface", [](const Json &s) {
+        return s["under_cursor"].is_object() && s["under_cursor"]["surface"] == 0;
+    });
     session.move({pane.x + 0.02 * pane.width, pane.y + 0.5 * pane.height});
     session.wait_until("nothing", [](const Json &s) { return s["under_cursor"].is_null(); });
 }

@@ -104,6 +104,8 @@ void Session::key(const std::string &name) {
 
 void Session::type(const std::string &text) { xdotool({"type", "--delay", "20", text}); }
 
+void Session::enter() { xdotool({"key", "Return"}); }
+
 void Session::move(Point p) { xdotool({"mousemove", whole(p.x), whole(p.y)}); }
 
 void Session::click(Point p, int button, int times) {

@@ -39,7 +39,9 @@ public:
 
     /// Presses and waits until the window has taken it. Names as xdotool has them: "Right", "shift+Right", "question".
     void key(const std::string &name);
+    /// Into the text field that has the focus; enter() is the key that ends it.
     void type(const std::string &text);
+    void enter();
     void move(Point p);
     /// Buttons: 1 left, 2 middle, 3 right, 4 wheel up, 5 wheel down.
     void click(Point p, int button = 1, int times = 1);

@@ -42,7 +42,8 @@ TEST_F(ShownTest, NothingChangesByItself) {
 
 TEST_F(ShownTest, MeshAndCurvesAppearAndGo) {
     session.key("1"); // many patches
-    session.settled();
+    session.key("End");
+    session.wait_until("the end", [](const Json &s) { return s["panes"][0].value("converged", false); }, 120);
     const double mesh = change_by("m");
     EXPECT_GT(mesh, 0.003);
     EXPECT_LT(mesh, 0.5);
@@ -59,21 +60,28 @@ TEST_F(ShownTest, ShadingsDiffer) {
 }
 
 TEST_F(ShownTest, ExposureBrightensTheScene) {
-    const double dark = brightness(session.shot(), pane);
-    for (int i = 0; i < 3; ++i)
-        session.key("e");
-    session.wait_until("the exposure", [](const Json &s) { return s["exposure"] == 1.5; });
-    EXPECT_GT(brightness(session.shot(), pane), dark + 3);
+    const auto at_exposure = [&](const std::string &key, double exposure) {
+        for (int i = 0; i < 12 && session.state()["exposure"] != exposure; ++i)
+            session.key(key);
+        session.wait_until("the exposure", [&](const Json &s) { return s["exposure"] == exposure; });
+        return brightness(session.shot(), pane);
+    };
+    const double dark = at_exposure("shift+e", -2);
+    EXPECT_GT(at_exposure("e", 2), dark + 5);
 }
 
 TEST_F(ShownTest, StrategiesAreSideBySide) {
     session.key("ctrl+4");
-    session.wait_until("four solutions", [](const Json &s) {
-        return s["panes"].size() == 4 && s["panes"][3].value("iteration", 0) == 1 && s["panes"][0].value("iteration", 0) == 1;
-    });
-    const Json state = session.settled();
-    EXPECT_GT(state["panes"][0]["patches"].get<int>(), state["panes"][1]["patches"].get<int>());
-    EXPECT_GT(state["panes"][1]["patches"].get<int>(), state["panes"][3]["patches"].get<int>());
+    session.wait_until("four panes", [](const Json &s) { return s["panes"].size() == 4; });
+    session.key("End");
+    const Json state = session.wait_until("four solutions", [](const Json &s) {
+        for (const Json &p : s["panes"])
+            if (!p.value("converged", false))
+                return false;
+        return true;
+    }, 120);
+    EXPECT_GT(state["panes"][0]["patches"].get<int>(), state["panes"][2]["patches"].get<int>());
+    EXPECT_GT(state["panes"][2]["patches"].get<int>(), state["panes"][3]["patches"].get<int>());
     // The first and the last hold the same scene on meshes that differ, at the same place.
     const Screenshot shot = session.shot();
     const Box a = session.widget("pane 0"), d = session.widget("pane 3");

@@ -52,7 +52,7 @@ TEST_F(BusyTest, TheWindowAnswersMeanwhile) {
         session.key("m");
         session.wait_until("the mesh", [&](const Json &s) { return s["layers"]["mesh"] == mesh; });
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        EXPECT_LT(seconds, 1.0);
+        EXPECT_LT(seconds, 3.0); // short of what the phases take here, however busy the machine is
     }
     EXPECT_EQ(session.state()["busy"], true);
 }
@@ -75,7 +75,7 @@ TEST_F(BusyTest, AnotherSceneTakesOver) {
     session.wait_until("the dialog", [](const Json &s) { return s["open_dialog"] == true; });
     session.settled();
     session.type("figure-4");
-    session.key("Return");
+    session.enter();
     session.wait_until("the scene", [](const Json &s) { return s["scene"] == "figure-4" && !s["busy"]; });
 }
 

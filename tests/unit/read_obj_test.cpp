@@ -177,6 +177,29 @@ TEST(Mend, ConcaveFacesKeepTheirOutlineAndGetConvexParts) {
     EXPECT_NEAR(sum, scene.surfaces[0].area, 1e-15);
 }
 
+// A comb of 200 teeth: the optimal partition would take hours and gigabytes.
+TEST(Mend, PolygonsOfManyCornersGetPartsInTime) {
+    std::string vertices, face = "f";
+    int n = 0;
+    const auto corner = [&](double x, double y) {
+        vertices += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n";
+        face += " " + std::to_string(++n);
+    };
+    constexpr int n_teeth = 200;
+    corner(0, 0);
+    corner(2 * n_teeth, 0);
+    for (int i = n_teeth - 1; i >= 0; --i) {
+        corner(2 * i + 2, 1);
+        corner(2 * i + 1, 3);
+    }
+    corner(0, 1);
+    const Scene scene = scene_of(vertices + face + "\n");
+    double sum = 0;
+    for (const Polygon &part : scene.surfaces[0].parts)
+        sum += area(part) * scene.own.size * scene.own.size;
+    EXPECT_NEAR(sum, 2 * n_teeth + 2 * n_teeth, 1e-6) << "a bar of height 1 and teeth of area 2";
+}
+
 TEST(Mend, ManyNotesOfAKindAreCounted) {
     std::string faces = square;
     for (int i = 0; i < 10; ++i)
