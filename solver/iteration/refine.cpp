@@ -22,6 +22,7 @@ struct Request {
     std::vector<PairBlocker> candidates;
     std::vector<ElementId> sources;
     bool weak = false;
+    std::shared_ptr<const Interaction> before; ///< of the same pair, to be replaced; none when the pair is new
 };
 
 enum class Verdict { keep, relink, fail };
@@ -215,7 +216,7 @@ private:
             else if (j.verdict == Verdict::fail && !at_limit)
                 descend(node, *here[i], j);
             else
-                requests_.push_back({node, here[i]->source, here[i]->blockers, j.sources, j.weak});
+                requests_.push_back({node, here[i]->source, here[i]->blockers, j.sources, j.weak, here[i]});
         }
         here = std::move(kept);
     }
@@ -228,7 +229,7 @@ private:
             if (!state_.forest[child].leaf() && state_.forest[child].born == state_.counters.iteration)
                 descend(child, interaction, judgement);
             else
-                requests_.push_back({child, interaction.source, interaction.blockers, judgement.sources, judgement.weak});
+                requests_.push_back({child, interaction.source, interaction.blockers, judgement.sources, judgement.weak, nullptr});
         }
     }
 
@@ -246,7 +247,7 @@ private:
                     if (!candidates)
                         candidates = all_candidates(transport_, SurfaceId(r), SurfaceId(s));
                     requests_.push_back({root, SurfaceId(s), *candidates, state_.forest.roots[s],
-                                         is_weak(root, SurfaceId(s), factor)});
+                                         is_weak(root, SurfaceId(s), factor), nullptr});
                 }
             }
     }
@@ -256,7 +257,8 @@ private:
         std::vector<Work> work(requests_.size());
         parallel_for(requests_.size(), [&](std::size_t i) {
             const Request &r = requests_[i];
-            made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources, r.weak, work[i]);
+            made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources, r.weak, work[i],
+                              r.before.get());
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
             state_.counters.work += work[i];

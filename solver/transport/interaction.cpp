@@ -1,5 +1,6 @@
 #include "transport/interaction.h"
 
+#include "core/check.h"
 #include "transport/lambert.h"
 #include "transport/receiver_points.h"
 #include "transport/shadow_points.h"
@@ -174,7 +175,8 @@ std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId re
 
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, std::span<const PairBlocker> candidates,
-                                           std::span<const ElementId> sources, bool weak, Work &work) {
+                                           std::span<const ElementId> sources, bool weak, Work &work,
+                                           const Interaction *before) {
     const Element &p = forest[receiver];
     const Surface &to = transport.scene.surface(p.surface), &from = transport.scene.surface(source);
     auto out = std::make_shared<Interaction>();
@@ -216,8 +218,12 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     out->kind = !out->blockers.empty() ? PairKind::partly_hidden : near ? PairKind::near : PairKind::clear;
     out->form_factor = form_factor_bound(transport, p, source);
 
+    const std::span<const Link> known = before && before->weak == weak ? before->links : std::span<const Link>();
+    const auto known_link = [&](ElementId q) { return std::ranges::find(known, q, &Link::source); };
     std::vector<SourceNode> nodes;
     for (const ElementId q : sources) {
+        if (known_link(q) != known.end())
+            continue;
         nodes.push_back(source_node(transport.scene, forest[q]));
         if (weak)
             nodes.back().n_columns = 1;
@@ -227,7 +233,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     const int order = p.basis.order();
     const int n_rows = weak ? 1 : p.basis.n_functions();
     // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a fit, more.
-    const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(transport.accuracy))) - 3);
+    const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(transport.accuracy))) - 3);
     const int n_points = weak ? 2 : order + 1 + digits;
     const int n_levels = near && !weak ? digits : 0;
 
@@ -251,9 +257,15 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         }
     }
     Eigen::Index first = 0;
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        const Eigen::Index count = transfer.nodes()[i].n_columns;
-        out->links.push_back({sources[i], kernel.middleCols(first, count), misfit.middleCols(first, count)});
+    auto node = transfer.nodes().begin();
+    for (const ElementId q : sources) {
+        if (const auto link = known_link(q); link != known.end()) {
+            PENUMBRA_CHECK(link->misfit.rows(), ==, misfit.rows());
+            out->links.push_back(*link);
+            continue;
+        }
+        const Eigen::Index count = (node++)->n_columns;
+        out->links.push_back({q, kernel.middleCols(first, count), misfit.middleCols(first, count)});
         first += count;
     }
     return out;

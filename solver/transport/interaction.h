@@ -52,10 +52,12 @@ struct Transport {
 double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source);
 
 /// Classifies the pair and integrates its links. `candidates`: a superset of the blockers between them (those of a
-/// parent; `all_candidates` at a root). A hidden pair has no links. Cancellable.
+/// parent; `all_candidates` at a root). A hidden pair has no links. `before`, where given, is what this call gave for the
+/// same two with other sources: links of sources in both are taken over, not computed again. Cancellable.
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, std::span<const PairBlocker> candidates,
-                                           std::span<const ElementId> sources, bool weak, Work &work);
+                                           std::span<const ElementId> sources, bool weak, Work &work,
+                                           const Interaction *before = nullptr);
 
 /// Everything near the shaft between two surfaces, as proposed by the bounding-volume hierarchy.
 std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source);
