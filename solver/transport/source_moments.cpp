@@ -154,7 +154,9 @@ void source_moments(const Vec3 &x, const Vec3 &n, const PlaneFrame &source, cons
         samples.clear();
         // Gauss converges as rho^(-2n), rho the Bernstein ellipse that keeps clear of the kernel's poles.
         const double n_far = std::ceil(digits / (2 * std::asinh(distance / size)) + 2);
-        if (n_far <= 8)
+        // Up to where it takes no more points than the near rule; it also follows the functions of a triangle, whose
+        // values at the double corner depend on the direction.
+        if (n_far <= std::max(8.0, digits))
             add_far(eye, piece, static_cast<int>(n_far), samples);
         else
             add_near(eye, piece, nearest, foot, distance, static_cast<int>(std::ceil(0.45 * digits)) + 3, samples);
