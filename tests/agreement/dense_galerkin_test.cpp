@@ -77,7 +77,8 @@ private:
                 const double u = s + h * a, v = t + h * b;
                 const Vec3 d = q.at(u, v) - x;
                 const double r2 = d.squaredNorm();
-                const double g = std::max(0.0, normal.dot(d)) * std::max(0.0, -q.normal().dot(d)) / (std::numbers::pi * r2 * r2);
+                const double g =
+                    std::max(0.0, normal.dot(d)) * std::max(0.0, -q.normal().dot(d)) / (std::numbers::pi * r2 * r2);
                 sum += wa * wb * h * h * g * functions(u * n_ - i, v * n_ - j);
             });
         });
@@ -102,7 +103,8 @@ private:
                                     for (int l = 0; l < n_; ++l) {
                                         moments.setZero();
                                         add_cell(x, wall.normal(), walls[static_cast<std::size_t>(q)],
-                                                 static_cast<double>(k) / n_, static_cast<double>(l) / n_, 1.0 / n_, k, l, moments);
+                                                 static_cast<double>(k) / n_, static_cast<double>(l) / n_, 1.0 / n_, k,
+                                                 l, moments);
                                         system.block(first(p, i, j), first(q, k, l), block, block) -=
                                             tested * moments.transpose();
                                     }

@@ -32,7 +32,8 @@ void expect_same_bits(const State &a, const State &b) {
     ASSERT_EQ(a.radiosity.rows(), b.radiosity.rows());
     int n_different = 0;
     for (Eigen::Index i = 0; i < a.radiosity.size(); ++i)
-        n_different += std::bit_cast<std::uint64_t>(a.radiosity.data()[i]) != std::bit_cast<std::uint64_t>(b.radiosity.data()[i]);
+        n_different +=
+            std::bit_cast<std::uint64_t>(a.radiosity.data()[i]) != std::bit_cast<std::uint64_t>(b.radiosity.data()[i]);
     EXPECT_EQ(n_different, 0) << "of " << a.radiosity.size();
     EXPECT_EQ(a.counters.links, b.counters.links);
     EXPECT_EQ(a.counters.total_work.kernel_evaluations, b.counters.total_work.kernel_evaluations);

@@ -56,7 +56,8 @@ Face lamp(std::vector<Vec2> outline, double z) {
     return face;
 }
 const std::vector<Vec2> square_lamp{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-const std::vector<Vec2> star_lamp{{-0.6, -0.6}, {0, -0.2}, {0.6, -0.6}, {0.2, 0}, {0.6, 0.6}, {0, 0.2}, {-0.6, 0.6}, {-0.2, 0}};
+const std::vector<Vec2> star_lamp{{-0.6, -0.6}, {0, -0.2}, {0.6, -0.6}, {0.2, 0},
+                                  {0.6, 0.6},   {0, 0.2},  {-0.6, 0.6}, {-0.2, 0}};
 Face black(std::vector<Vec3> corners) { return {std::move(corners), Rgb::Zero()}; }
 
 struct Case {
@@ -69,17 +70,20 @@ std::vector<Case> cases() {
     const Face skew_2 = black({{0.3, -0.9, 1.5}, {0.5, 0.7, 1.15}, {0, 0.8, 1.4}, {-0.2, -0.8, 1.75}});
     const Face concave = black({{-0.5, -0.5, 1}, {0.7, -0.5, 1}, {0.7, 0.6, 1}, {0.1, 0, 1}, {-0.5, 0.6, 1}});
     Case boxes{"two boxes, one on the floor", {floor_face(), lamp(square_lamp, 2)}};
-    for (const auto &b : {reference::box({0.2, 0.1, 0}, {0.4, 0.2, 0}, {-0.2, 0.4, 0}, {0, 0, 0.7}, Rgb::Constant(0.3)),
-                          reference::box({-0.6, -0.3, 0.9}, {0.5, 0, 0.1}, {0, 0.4, 0.1}, {-0.1, -0.1, 0.3}, Rgb::Zero())})
+    for (const auto &b :
+         {reference::box({0.2, 0.1, 0}, {0.4, 0.2, 0}, {-0.2, 0.4, 0}, {0, 0, 0.7}, Rgb::Constant(0.3)),
+          reference::box({-0.6, -0.3, 0.9}, {0.5, 0, 0.1}, {0, 0.4, 0.1}, {-0.1, -0.1, 0.3}, Rgb::Zero())})
         boxes.faces.insert(boxes.faces.end(), b.begin(), b.end());
-    return {{"none", {floor_face(), lamp(square_lamp, 2)}},
-            {"one", {floor_face(), lamp(square_lamp, 2), skew_1}},
-            {"two skew", {floor_face(), lamp(square_lamp, 2), skew_1, skew_2}},
-            {"concave blocker", {floor_face(), lamp(square_lamp, 2), concave}},
-            {"concave source", {floor_face(), lamp(star_lamp, 2), skew_1, skew_2}},
-            {"concave both", {floor_face(), lamp(star_lamp, 2), concave, skew_2}},
-            {"through the lamp's plane", {floor_face(), lamp(square_lamp, 2), black({{-0.2, -1, 1.2}, {0.3, 1, 1.2}, {0.2, 1, 2.5}, {-0.3, -1, 2.5}})}},
-            boxes};
+    return {
+        {"none", {floor_face(), lamp(square_lamp, 2)}},
+        {"one", {floor_face(), lamp(square_lamp, 2), skew_1}},
+        {"two skew", {floor_face(), lamp(square_lamp, 2), skew_1, skew_2}},
+        {"concave blocker", {floor_face(), lamp(square_lamp, 2), concave}},
+        {"concave source", {floor_face(), lamp(star_lamp, 2), skew_1, skew_2}},
+        {"concave both", {floor_face(), lamp(star_lamp, 2), concave, skew_2}},
+        {"through the lamp's plane",
+         {floor_face(), lamp(square_lamp, 2), black({{-0.2, -1, 1.2}, {0.3, 1, 1.2}, {0.2, 1, 2.5}, {-0.3, -1, 2.5}})}},
+        boxes};
 }
 
 TEST(VisiblePart, AgainstStratifiedPointsAndOwnRays) {
@@ -105,7 +109,8 @@ TEST(VisiblePart, AgainstStratifiedPointsAndOwnRays) {
             scratch.hidden.cast(x, source.frame, blockers, pair, work);
             visible_part(x, receiver.frame.normal, source.frame, whole, scratch.hidden, scratch);
             const double expected = sampled(*scene, SurfaceId(1), x, receiver.frame.normal, n, 11).area;
-            EXPECT_NEAR(scratch.pieces.area() / source.area, expected / source.area, 3e-3) << c.name << " at " << x.transpose();
+            EXPECT_NEAR(scratch.pieces.area() / source.area, expected / source.area, 3e-3)
+                << c.name << " at " << x.transpose();
             n_partly += expected > 0 && expected < 0.99 * source.area;
         }
         EXPECT_GE(n_partly, c.faces.size() > 2 ? 2 : 0) << c.name;
@@ -140,7 +145,8 @@ TEST(DirectRadiosity, AgainstStratifiedPointsAndOwnRays) {
                     }
                 expected = scene.exitance(SurfaceId(s)) + scene.reflectance(SurfaceId(s)) * expected;
                 const Rgb ours = direct_radiosity(scene, blockers, SurfaceId(s), p);
-                EXPECT_LT((ours - expected).abs().maxCoeff(), 0.01 * expected.maxCoeff() + 1e-4) << name << ", surface " << s;
+                EXPECT_LT((ours - expected).abs().maxCoeff(), 0.01 * expected.maxCoeff() + 1e-4)
+                    << name << ", surface " << s;
             }
         }
     }

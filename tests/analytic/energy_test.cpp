@@ -16,7 +16,8 @@ namespace penumbra {
 namespace {
 
 struct Balance {
-    Rgb sent = Rgb::Zero(), received = Rgb::Zero(), lost = Rgb::Zero(); ///< fluxes [W in units of the scene's size squared]
+    Rgb sent = Rgb::Zero(), received = Rgb::Zero(),
+        lost = Rgb::Zero(); ///< fluxes [W in units of the scene's size squared]
 };
 
 /// Stratified over the patches' parameters: one ray a cell, with the power that the cell sends out. A ray is lost when
@@ -78,8 +79,9 @@ TEST(EnergyBalance, OfTheCornellBox) {
 
 TEST(EnergyBalance, OfTwoWalls) {
     // Nothing hidden: only the projection and the rays are in doubt.
-    const auto scene = reference::scene_of({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Rgb(0.8, 0.5, 0.2), Rgb(0, 1, 2)},
-                                            {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, Rgb(0.3, 0.6, 0.9), Rgb(1, 0, 0)}});
+    const auto scene =
+        reference::scene_of({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Rgb(0.8, 0.5, 0.2), Rgb(0, 1, 2)},
+                             {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, Rgb(0.3, 0.6, 0.9), Rgb(1, 0, 0)}});
     EXPECT_LT(imbalance(scene, 0.005, 4e5), 0.003);
 }
 

@@ -39,11 +39,13 @@ Deviation deviation(std::shared_ptr<const Scene> scene, const Options &options) 
             for (int j = 0; j < n; ++j) {
                 const double u = (i + 0.5) / n, v = (j + 0.5) / n;
                 const Vec2 p = (1 - v) * ((1 - u) * c[0] + u * c[1]) + v * ((1 - u) * c[3] + u * c[2]);
-                const Vec2 own = surface.frame.to_plane(scene->own.to_solver(plane.origin + p.x() * plane.u + p.y() * plane.v));
+                const Vec2 own =
+                    surface.frame.to_plane(scene->own.to_solver(plane.origin + p.x() * plane.u + p.y() * plane.v));
                 if (reference::covered(surface, own))
                     continue;
                 const double error = (radiosity(*snapshot, patch, p) / expected - 1).abs().maxCoeff();
-                const Vec2 du = (1 - v) * (c[1] - c[0]) + v * (c[2] - c[3]), dv = (1 - u) * (c[3] - c[0]) + u * (c[2] - c[1]);
+                const Vec2 du = (1 - v) * (c[1] - c[0]) + v * (c[2] - c[3]),
+                           dv = (1 - u) * (c[3] - c[0]) + u * (c[2] - c[1]);
                 const double weight = std::abs(cross(du, dv));
                 out.largest = std::max(out.largest, error);
                 squares += weight * error * error;
@@ -64,8 +66,7 @@ Options options_of(Strategy strategy, double threshold) {
 }
 
 std::vector<reference::Face> walls() {
-    return reference::turned_over(
-        reference::box({0, 0, 0}, {1, 0, 0}, {0, 1.5, 0}, {0, 0, 0.8}, rho, glow));
+    return reference::turned_over(reference::box({0, 0, 0}, {1, 0, 0}, {0, 1.5, 0}, {0, 0, 0.8}, rho, glow));
 }
 
 constexpr double allowed = 0.005;
@@ -93,7 +94,8 @@ std::vector<reference::Face> walls_and_box(double height_above_floor) {
 // alone, and its largest misfit falls on no level (DESIGN section 3), though the area it holds does.
 
 TEST(Furnace, WithAClosedBoxInside) {
-    const auto d = deviation(reference::scene_of(walls_and_box(0.2)), options_of(Strategy::discontinuity_wavelet, 0.01));
+    const auto d =
+        deviation(reference::scene_of(walls_and_box(0.2)), options_of(Strategy::discontinuity_wavelet, 0.01));
     EXPECT_LT(d.mean, allowed);
     EXPECT_LT(d.share_beyond, 0.005);
 }

@@ -26,7 +26,8 @@ Polygon regular(int n, double radius) {
 
 TEST(Lambert, PolygonsTendToTheDisc) {
     // F = r^2 / (r^2 + h^2) on the axis, and times the cosine for a receiver that is tilted but sees all of the disc:
-    // the irradiance vector lies in the axis. A polygon of the disc's area misses it by O(1/n^4): sixteenfold less for twice the corners.
+    // the irradiance vector lies in the axis. A polygon of the disc's area misses it by O(1/n^4): sixteenfold less for
+    // twice the corners.
     const double r = 0.7, h = 1.1, disc = r * r / (r * r + h * h);
     for (const double tilt : {0.0, 0.4, 0.9}) {
         const Vec3 n(std::sin(tilt), 0, std::cos(tilt));

@@ -10,9 +10,9 @@ constexpr double degrees = std::numbers::pi / 180;
 
 struct Hinge {
     const char *name;
-    double length, depth;                ///< of the lying rectangle
-    double other_length, height, angle;  ///< of the other
-    double shift;                        ///< along the hinge
+    double length, depth;               ///< of the lying rectangle
+    double other_length, height, angle; ///< of the other
+    double shift;                       ///< along the hinge
     double within = 1e-6;
 };
 
@@ -46,8 +46,10 @@ TEST(TouchingPair, EveryCoefficientToOneInAMillion) {
             const Pair pair(lying(h.length, h.depth), turned_up(h.other_length, h.height, h.angle, h.shift), order);
             const auto there = reference::hinged_kernel(lying_rectangle(h), other_rectangle(h), h.angle, order);
             const auto back = reference::hinged_kernel(other_rectangle(h), lying_rectangle(h), h.angle, order);
-            EXPECT_LT((pair.kernel(0, 1, 1e-7) - there).cwiseAbs().maxCoeff(), h.within) << h.name << ", order " << order;
-            EXPECT_LT((pair.kernel(1, 0, 1e-7) - back).cwiseAbs().maxCoeff(), h.within) << h.name << ", order " << order;
+            EXPECT_LT((pair.kernel(0, 1, 1e-7) - there).cwiseAbs().maxCoeff(), h.within)
+                << h.name << ", order " << order;
+            EXPECT_LT((pair.kernel(1, 0, 1e-7) - back).cwiseAbs().maxCoeff(), h.within)
+                << h.name << ", order " << order;
         }
     }
 }

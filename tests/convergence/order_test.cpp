@@ -15,10 +15,9 @@ namespace {
 constexpr double x0 = 0.2, x1 = 0.9, y0 = -0.1, y1 = 0.5, height = 0.6, rho = 0.5;
 
 std::shared_ptr<const Scene> floor_and_lamp() {
-    return reference::scene_of({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Rgb::Constant(rho)},
-                                {{{x0, y0, height}, {x0, y1, height}, {x1, y1, height}, {x1, y0, height}},
-                                 Rgb::Zero(),
-                                 Rgb::Ones()}});
+    return reference::scene_of(
+        {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Rgb::Constant(rho)},
+         {{{x0, y0, height}, {x0, y1, height}, {x1, y1, height}, {x1, y0, height}}, Rgb::Zero(), Rgb::Ones()}});
 }
 
 double exact(const Vec3 &x) {

@@ -18,11 +18,11 @@ namespace {
 using Gauss = boost::math::quadrature::gauss<double, 15>;
 
 const BilinearQuad shapes[] = {
-    {{Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(0, 1)}},             // rectangle
-    {{Vec2(0, 0), Vec2(1, 0.2), Vec2(1.4, 1.2), Vec2(0.4, 1)}},     // parallelogram
-    {{Vec2(0, 0), Vec2(1, 0), Vec2(0.9, 0.7), Vec2(0.2, 1.1)}},     // nothing special
-    {{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1e-3), Vec2(0.4, 1e-3)}},   // flat
-    {{Vec2(0, 0), Vec2(1, 0), Vec2(0.3, 0.8), Vec2(0.3, 0.8)}},     // triangle
+    {{Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(0, 1)}},           // rectangle
+    {{Vec2(0, 0), Vec2(1, 0.2), Vec2(1.4, 1.2), Vec2(0.4, 1)}},   // parallelogram
+    {{Vec2(0, 0), Vec2(1, 0), Vec2(0.9, 0.7), Vec2(0.2, 1.1)}},   // nothing special
+    {{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1e-3), Vec2(0.4, 1e-3)}}, // flat
+    {{Vec2(0, 0), Vec2(1, 0), Vec2(0.3, 0.8), Vec2(0.3, 0.8)}},   // triangle
 };
 
 Vec2 map(const std::array<Vec2, 4> &c, double u, double v) {
@@ -124,7 +124,8 @@ TEST(Projection, OfEmission) {
         push_pull(forest, *scene, none, b);
         for (const Element &e : forest.elements)
             for (int k = 0; k < order * order; ++k)
-                EXPECT_LT((b.row(e.first + k).transpose().array() - (k == 0 ? glow : Rgb::Zero())).abs().maxCoeff(), 1e-12);
+                EXPECT_LT((b.row(e.first + k).transpose().array() - (k == 0 ? glow : Rgb::Zero())).abs().maxCoeff(),
+                          1e-12);
     }
 }
 

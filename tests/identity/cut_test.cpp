@@ -75,11 +75,16 @@ struct Cut {
 std::vector<Cut> all_cuts() {
     const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, quad{{0, 0}, {1, 0}, {0.9, 0.7}, {0.2, 1.1}},
         triangle{{0, 0}, {1, 0}, {0.3, 0.8}};
-    return {{"square, slanted", square, 0, 0.3, 2, 0.3},          {"square, steep", square, 0, 0.1, 2, 0.1},
-            {"quad, slanted", quad, 0, 0.3, 2, 0.3},              {"quad, other sides", quad, 1, 0.2, 3, 0.6},
-            {"square, neighbouring sides", square, 0, 0.4, 1, 0.7}, {"quad, neighbouring sides", quad, 2, 0.5, 3, 0.4},
-            {"square, diagonal", square, 0, 0, 2, 0},             {"square, corner to side", square, 0, 0, 1, 0.5},
-            {"triangle", triangle, 0, 0.4, 1, 0.6},               {"triangle, from a corner", triangle, 0, 0, 1, 0.3},
+    return {{"square, slanted", square, 0, 0.3, 2, 0.3},
+            {"square, steep", square, 0, 0.1, 2, 0.1},
+            {"quad, slanted", quad, 0, 0.3, 2, 0.3},
+            {"quad, other sides", quad, 1, 0.2, 3, 0.6},
+            {"square, neighbouring sides", square, 0, 0.4, 1, 0.7},
+            {"quad, neighbouring sides", quad, 2, 0.5, 3, 0.4},
+            {"square, diagonal", square, 0, 0, 2, 0},
+            {"square, corner to side", square, 0, 0, 1, 0.5},
+            {"triangle", triangle, 0, 0.4, 1, 0.6},
+            {"triangle, from a corner", triangle, 0, 0, 1, 0.3},
             {"quad, close to a corner", quad, 0, 0.98, 1, 0.03}};
 }
 
@@ -88,8 +93,8 @@ Forest cut_forest(const Cut &c, int order) {
     // Through the solver's frame: the plane of z = 0 is scaled and may be turned.
     const BilinearQuad &quad = forest.elements[0].basis.quad();
     std::vector<Vec2> corners = quad.outline();
-    const auto plan = plan_cut(forest.elements[0], line_through(on_side(corners, c.from_side, c.from),
-                                                                on_side(corners, c.to_side, c.to)));
+    const auto plan = plan_cut(forest.elements[0],
+                               line_through(on_side(corners, c.from_side, c.from), on_side(corners, c.to_side, c.to)));
     EXPECT_TRUE(plan.has_value()) << c.name;
     if (plan)
         cut(forest, ElementId(0), *plan, 1);

@@ -28,9 +28,9 @@ inline double perpendicular_rectangles(double length, double depth, double heigh
 }
 
 /// Irradiance vector of a unit-radiosity rectangle [0,a] x [0,b] at height c above the point 0, in front of it: its
-/// product with the receiver's unit normal n is the form factor of the point, as long as all of the rectangle is in front
-/// of the receiver's plane. The components are the point factors of a parallel (Howell B-3) and of two perpendicular
-/// rectangles (B-4).
+/// product with the receiver's unit normal n is the form factor of the point, as long as all of the rectangle is in
+/// front of the receiver's plane. The components are the point factors of a parallel (Howell B-3) and of two
+/// perpendicular rectangles (B-4).
 inline Vec3 rectangle_over_corner(double a, double b, double c) {
     const double x = a / c, y = b / c;
     const double across = x / std::sqrt(1 + x * x) * std::atan(y / std::sqrt(1 + x * x)) +
@@ -46,7 +46,8 @@ inline Vec3 rectangle_over_corner(double a, double b, double c) {
 inline Vec3 rectangle_overhead(double x0, double x1, double y0, double y1, double c) {
     const auto corner = [&](double x, double y) {
         const Vec3 v = rectangle_over_corner(std::abs(x), std::abs(y), c);
-        // A part on the other side of an axis mirrors the component along it; the product of signs makes it a signed area.
+        // A part on the other side of an axis mirrors the component along it; the product of signs makes it a signed
+        // area.
         return Vec3(std::copysign(1.0, y) * v.x(), std::copysign(1.0, x) * v.y(),
                     std::copysign(1.0, x) * std::copysign(1.0, y) * v.z());
     };

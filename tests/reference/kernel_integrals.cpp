@@ -33,18 +33,22 @@ Rule rule() {
 
 Rule rule(int n) {
     switch (n) {
-    case 7: return rule<7>();
-    case 15: return rule<15>();
-    case 20: return rule<20>();
-    case 25: return rule<25>();
-    case 30: return rule<30>();
-    default: throw std::invalid_argument("no such rule");
+    case 7:
+        return rule<7>();
+    case 15:
+        return rule<15>();
+    case 20:
+        return rule<20>();
+    case 25:
+        return rule<25>();
+    case 30:
+        return rule<30>();
+    default:
+        throw std::invalid_argument("no such rule");
     }
 }
 
-double legendre(int k, double t) {
-    return std::sqrt(2 * k + 1) * std::legendre(static_cast<unsigned>(k), 2 * t - 1);
-}
+double legendre(int k, double t) { return std::sqrt(2 * k + 1) * std::legendre(static_cast<unsigned>(k), 2 * t - 1); }
 
 Eigen::VectorXd legendre_all(int order, double t) {
     Eigen::VectorXd values(order);
@@ -79,7 +83,8 @@ Eigen::MatrixXd hinged_kernel(const HingedRectangle &p, const HingedRectangle &q
     const auto add = [&](double w, double a, double b, double weight, const Eigen::MatrixXd &along) {
         const double r2 = w * w + a * a + b * b - 2 * a * b * cosine;
         const double g = weight * a * b * sine * sine / (std::numbers::pi * r2 * r2);
-        const Eigen::MatrixXd away = g * legendre_all(order, a / p.reach) * legendre_all(order, b / q.reach).transpose();
+        const Eigen::MatrixXd away =
+            g * legendre_all(order, a / p.reach) * legendre_all(order, b / q.reach).transpose();
         for (int i = 0; i < order; ++i)
             for (int j = 0; j < order; ++j)
                 sum.block(i * order, j * order, order, order) += along(i, j) * away;

@@ -13,10 +13,10 @@ struct HingedRectangle {
 };
 
 /// K_ij = 1/|p| times the integral over p and q of N_i(x) G(x,y) N_j(y), both bases orthonormal products of Legendre
-/// polynomials (function k = i * order + j has degree i along the line and j away from it): irradiance coefficients on p
-/// per radiosity coefficient on q. p lies in the plane z = 0, q is turned up from it by `angle`, each sees the other.
-/// Both along the line enter G only by their difference w, so three dimensions are left; the pole at w = a = b = 0 (a, b
-/// the distances from the line) goes with Duffy's transformation. `n` is 15, 20, 25 or 30 points a dimension.
+/// polynomials (function k = i * order + j has degree i along the line and j away from it): irradiance coefficients on
+/// p per radiosity coefficient on q. p lies in the plane z = 0, q is turned up from it by `angle`, each sees the other.
+/// Both along the line enter G only by their difference w, so three dimensions are left; the pole at w = a = b = 0 (a,
+/// b the distances from the line) goes with Duffy's transformation. `n` is 15, 20, 25 or 30 points a dimension.
 Eigen::MatrixXd hinged_kernel(const HingedRectangle &p, const HingedRectangle &q, double angle, int order, int n = 30);
 
 } // namespace penumbra::reference

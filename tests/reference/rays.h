@@ -10,8 +10,8 @@ namespace penumbra::reference {
 
 struct Hit {
     int surface;
-    double t;    ///< the point is origin + t direction
-    bool front;  ///< met on its front
+    double t;   ///< the point is origin + t direction
+    bool front; ///< met on its front
 };
 
 /// The nearest polygon that the ray meets for least < t < most. Coordinates are the solver's.

@@ -1,5 +1,5 @@
-// Every bundled scene, by every strategy: finite, not darker than black by more than the oracle may miss, nothing sampled
-// that should have been clipped.
+// Every bundled scene, by every strategy: finite, not darker than black by more than the oracle may miss, nothing
+// sampled that should have been clipped.
 #include "iteration/solver.h"
 #include "iteration/state.h"
 #include "scene/bundled.h"
@@ -45,8 +45,10 @@ INSTANTIATE_TEST_SUITE_P(AllScenes, Bundled,
                          testing::Combine(testing::Range(0, static_cast<int>(bundled_scenes().size())),
                                           testing::ValuesIn(all_strategies)),
                          [](const auto &parameters) {
-                             std::string label = std::string(bundled_scenes()[static_cast<std::size_t>(std::get<0>(parameters.param))].name) + "_" +
-                                                 std::string(name(std::get<1>(parameters.param)));
+                             std::string label =
+                                 std::string(
+                                     bundled_scenes()[static_cast<std::size_t>(std::get<0>(parameters.param))].name) +
+                                 "_" + std::string(name(std::get<1>(parameters.param)));
                              for (char &c : label)
                                  c = c == '-' ? '_' : c;
                              return label;
