@@ -125,10 +125,13 @@ Image draw_picture(const PictureSpec &spec) {
     if (spec.labels)
         for (std::size_t i = 0; i < spec.panes.size(); ++i) {
             PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag);
-            if (same_footnote) // said once, with the legend
-                label.footnote.clear();
             const ImVec2 low = corner(l.cells[i]);
             const ImVec2 high(low.x + static_cast<float>(l.cells[i].width), low.y + static_cast<float>(l.cells[i].height));
+            if (!same_footnote) { // else it is said once, with the legend
+                const float width = 0.9f * overlay.fonts().text->CalcTextSizeA(em, 1e9f, 0, label.footnote.c_str()).x;
+                draw_footnote(list, overlay.fonts(), {high.x - width - 0.6f * em, high.y - 1.5f * em}, label, look.theme);
+            }
+            label.footnote.clear();
             draw_pane_label(list, overlay.fonts(), low, high, label, look.theme);
         }
     if (spec.legend) {

@@ -116,11 +116,11 @@ TEST_F(CameraTest, PanesShareTheEye) {
     session.wait_until("two panes", [](const Json &s) { return s["panes"].size() == 2; });
     const Screenshot shot = session.shot();
     const Box left = session.widget("pane 0"), right = session.widget("pane 1");
-    session.drag(session.middle("pane 1"), {session.middle("pane 1").x + 60, session.middle("pane 1").y});
+    session.drag(session.middle("pane 1"), {session.middle("pane 1").x + 120, session.middle("pane 1").y});
     after_change("an orbit in the right pane");
     const Screenshot turned = session.shot();
-    EXPECT_GT(changed_share(shot, turned, left), 0.05);
-    EXPECT_GT(changed_share(shot, turned, right), 0.05);
+    EXPECT_GT(changed_share(shot, turned, left), 0.02);
+    EXPECT_GT(changed_share(shot, turned, right), 0.02);
 }
 
 TEST_F(CameraTest, TheViewOutlivesSteps) {

@@ -1,0 +1,123 @@
+// The commands `render` and `paper` as scripts see them, on a machine with no display.
+#include "capture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace penumbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text(const fs::path &file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class PictureCommands : public testing::Test {
+protected:
+    void SetUp() override {
+        folder = fs::temp_directory_path() / ("penumbra-pictures-" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    int run(const std::string &arguments) const {
+        const std::string line = "cd '" + folder.string() + "' && unset DISPLAY WAYLAND_DISPLAY && exec '" PENUMBRA_PROGRAM "' " +
+                                 arguments + " >.out 2>.err";
+        const int status = std::system(line.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    nlohmann::json state(const std::string &png) const {
+        return nlohmann::json::parse(read_png_state(folder / png).value_or("null"));
+    }
+
+    fs::path folder;
+};
+
+TEST_F(PictureCommands, PaperDrawsTheFiguresAndTheTable) {
+    ASSERT_EQ(run("paper -o out"), 0) << text(folder / ".err");
+    for (const char *name : {"figure-5", "figure-6", "figure-7", "figure-8", "sheet"}) {
+        const Image image = read_png(folder / "out" / (std::string(name) + ".png"));
+        EXPECT_GE(image.width, 1000) << name;
+    }
+    EXPECT_EQ(state("out/figure-8.png")["strategies"], nlohmann::json::array({"discontinuity-wavelet"}));
+    EXPECT_EQ(state("out/sheet.png")["strategies"].size(), 4u);
+
+    std::istringstream csv(text(folder / "out/table.csv"));
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_THAT(line, testing::StartsWith("strategy,patches,paper_patches,coefficients,links,kernel_evaluations,seconds,error"));
+    std::vector<int> patches, of_paper;
+    std::vector<double> errors;
+    while (std::getline(csv, line)) {
+        std::vector<std::string> fields;
+        std::istringstream row(line);
+        for (std::string field; std::getline(row, field, ',');)
+            fields.push_back(field);
+        patches.push_back(std::stoi(fields.at(1)));
+        of_paper.push_back(std::stoi(fields.at(2)));
+        errors.push_back(std::stod(fields.at(7)));
+    }
+    EXPECT_THAT(of_paper, testing::ElementsAre(1776, 1019, 262, 3));
+    ASSERT_EQ(patches.size(), 4u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_GT(patches[i], patches[i + 1]);
+        EXPECT_GT(2 * patches[i], of_paper[i]);
+        EXPECT_LT(patches[i], 2 * of_paper[i]);
+    }
+    EXPECT_EQ(patches[3], 3);
+    EXPECT_LE(errors[3], errors[0]) << "three patches are no less accurate than (a)";
+}
+
+TEST_F(PictureCommands, RenderObeysItsOptions) {
+    ASSERT_EQ(run("render slanted-edge -o a.png --size 320x200 --steps 2 --layers links --shading flat --exposure 1.5 "
+                  "--range 0:0.02 --view \"0 -6 4 0 0 1 35\" --threshold 0.05"),
+              0)
+        << text(folder / ".err");
+    const Image image = read_png(folder / "a.png");
+    EXPECT_EQ(image.width, 320);
+    EXPECT_EQ(image.height, 200);
+    const nlohmann::json j = state("a.png");
+    EXPECT_EQ(j["scene"], "slanted-edge");
+    EXPECT_EQ(j["iteration"], 2);
+    EXPECT_EQ(j["shading"], "flat");
+    EXPECT_EQ(j["exposure"], 1.5);
+    EXPECT_EQ(j["range"], nlohmann::json::array({0.0, 0.02}));
+    EXPECT_EQ(j["camera"]["eye"], nlohmann::json::array({0.0, -6.0, 4.0}));
+    EXPECT_EQ(j["camera"]["fov"], 35.0);
+    EXPECT_EQ(j["layers"]["mesh"], false);
+    EXPECT_EQ(j["layers"]["links"], true);
+
+    ASSERT_EQ(run("render slanted-edge -o b.png --size 320x200 --steps 2 --threshold 0.05"), 0);
+    EXPECT_NE(read_png(folder / "b.png").rgb, image.rgb);
+    ASSERT_EQ(run("render slanted-edge -o d.png --size 640x480 --layout compare --steps 1 --threshold 0.05"), 0);
+    EXPECT_EQ(state("d.png")["strategies"].size(), 4u);
+}
+
+TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
+    for (const char *wrong :
+         {"render figure-4", "render -o a.png", "render figure-4 -o a.png --size 0x10", "render figure-4 -o a.png --size 10",
+          "render figure-4 -o a.png --layers mess", "render figure-4 -o a.png --shading error",
+          "render figure-4 -o a.png --range 2:1", "render figure-4 -o a.png --view \"1 2 3\"",
+          "render figure-4 -o a.png --layout triple", "render figure-4 -o a.png --steps -1", "paper"}) {
+        EXPECT_EQ(run(wrong), 2) << wrong;
+        EXPECT_FALSE(fs::exists(folder / "a.png")) << wrong;
+    }
+    EXPECT_EQ(run("render nowhere.obj -o a.png"), 3);
+    EXPECT_EQ(run("render figure-4 -o no/such/folder/a.png"), 5);
+    std::ofstream(folder / "file") << "in the way";
+    EXPECT_EQ(run("paper -o file/out"), 5);
+}
+
+} // namespace
+} // namespace penumbra
