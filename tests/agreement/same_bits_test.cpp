@@ -58,22 +58,31 @@ TEST(SameBits, ForAnyNumberOfThreads) {
 TEST(SameBits, AfterACancelledStep) {
     Solver solver(cornell_box(), loose(2));
     solver.step();
-    solver.step();
     const auto before = solver.state();
-    Cancel cancel;
-    std::chrono::steady_clock::time_point raised;
-    std::jthread later([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        raised = std::chrono::steady_clock::now();
-        cancel.raise();
-    });
-    EXPECT_THROW(solver.step(&cancel), Cancelled);
-    const auto stopped = std::chrono::steady_clock::now();
-    later.join();
-    // 100 ms are promised on a machine that has nothing else to do; tests run beside each other.
-    EXPECT_LT(std::chrono::duration<double>(stopped - raised).count(), 0.5);
-    EXPECT_EQ(solver.state(), before);
-    for (int i = 2; i < n_steps; ++i)
+    int n_cancelled = 0; // a step may be done before a late flag rises
+    for (const int milliseconds : {1, 3, 10, 30}) {
+        Cancel cancel;
+        std::chrono::steady_clock::time_point raised;
+        std::jthread later([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+            raised = std::chrono::steady_clock::now();
+            cancel.raise();
+        });
+        try {
+            solver.step(&cancel);
+            later.join();
+            solver.restore(before);
+        } catch (const Cancelled &) {
+            const auto stopped = std::chrono::steady_clock::now();
+            later.join();
+            // 100 ms are promised on a machine that has nothing else to do; tests run beside each other.
+            EXPECT_LT(std::chrono::duration<double>(stopped - raised).count(), 0.5);
+            EXPECT_EQ(solver.state(), before);
+            ++n_cancelled;
+        }
+    }
+    EXPECT_GE(n_cancelled, 1);
+    for (int i = 1; i < n_steps; ++i)
         solver.step();
     expect_same_bits(*solver.state(), *after_steps(2));
 }
