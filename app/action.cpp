@@ -13,7 +13,12 @@ using State = AppState;
 bool has_scene(const State &s) { return s.scene != nullptr; }
 bool can_go_on(const State &s) { return has_scene(s) && !at_end(s); }
 bool can_go_back(const State &s) { return s.position > 0; }
-bool can_cancel(const State &s) { return s.busy || s.playing || !s.opening.empty(); }
+/// Between two phases the worker is not busy for a moment, but has its goal still before it.
+bool is_under_way(const State &s) {
+    return has_scene(s) && !s.halted &&
+           std::ranges::any_of(s.shown(), [&](Strategy strategy) { return !s.timeline(strategy).reached(s.position); });
+}
+bool can_cancel(const State &s) { return s.busy || s.playing || !s.opening.empty() || is_under_way(s); }
 
 template <Strategy strategy>
 void use_strategy(State &s) {
