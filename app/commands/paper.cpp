@@ -64,6 +64,11 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
 
     Solutions solutions;
     bool converged = true;
+    // The first solution would pay for the start of the worker threads: one is made and thrown away.
+    try {
+        Solver(scene, solving.options, &interrupt.cancel()).run(&interrupt.cancel());
+    } catch (const Cancelled &) {
+    }
     for (const Strategy strategy : all_strategies) {
         Options options = solving.options;
         options.strategy = strategy;

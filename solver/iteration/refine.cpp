@@ -95,7 +95,8 @@ private:
             split_source |= split;
         }
         const Rgb misfit = scene_.reflectance(p.surface) * interaction.largest_misfit(state_.forest, state_.radiosity);
-        out.misfit = allowed_ > 0 ? misfit.maxCoeff() / allowed_ : 0;
+        // A threshold of 0 lets nothing pass once there is light.
+        out.misfit = misfit.maxCoeff() > 0 ? misfit.maxCoeff() / allowed_ : 0;
         if (out.misfit > 1)
             out.verdict = Verdict::fail;
         else if (split_source || (interaction.weak && !out.weak))

@@ -61,6 +61,32 @@ bool in_solid(const Blockers &blockers, const Vec3 &x) {
     });
 }
 
+double distance_from(const Vec3 &x, const PlaneFrame &frame, const Polygon &convex) {
+    const Vec2 foot = frame.to_plane(x);
+    return std::hypot(frame.height(x), (foot - nearest_point(convex, foot)).norm());
+}
+
+/// Least distance of a corner of the one from the other: an upper bound of the distance of the two.
+double corner_distance(const Element &p, const Surface &to, const Surface &from) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Polygon &part : from.parts) {
+        for (const Vec2 &corner : p.basis.outline())
+            least = std::min(least, distance_from(to.frame.to_space(corner), from.frame, part));
+        for (const Vec2 &corner : part)
+            least = std::min(least, distance_from(from.frame.to_space(corner), to.frame, p.basis.outline()));
+    }
+    return least;
+}
+
+/// Corners of the source that touch p, in p's plane.
+std::vector<Vec2> touching_corners(const Element &p, const Surface &to, const Surface &from) {
+    std::vector<Vec2> found;
+    for (const Vec3 &corner : from.corners)
+        if (distance_from(corner, to.frame, p.basis.outline()) < 1e-9)
+            found.push_back(to.frame.to_plane(corner));
+    return found;
+}
+
 /// T_j at receiver points, a block of columns for each source node. Under a flat cover of the receiver, which nothing
 /// sees, T goes on as if it were not there: a hole with T = 0 would have to be fitted, and spoils upper levels. Under a
 /// solid T is 0, as it is in the solid's own shadow.
@@ -205,14 +231,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         out->blockers.push_back(b);
     }
 
-    // Distance between the two, as a fraction of the smaller radius, decides on the receiver's rule.
-    double distance = std::numeric_limits<double>::infinity();
-    for (const Vec2 &corner : p.basis.outline()) {
-        const Vec3 x = to.frame.to_space(corner);
-        const Vec2 foot = from.frame.to_plane(x);
-        for (const Polygon &part : from.parts)
-            distance = std::min(distance, std::hypot(from.frame.height(x), (foot - nearest_point(part, foot)).norm()));
-    }
+    const double distance = corner_distance(p, to, from);
     const double size = radius(p.basis.outline());
     const bool near = distance < 0.25 * size;
     out->kind = !out->blockers.empty() ? PairKind::partly_hidden : near ? PairKind::near : PairKind::clear;
@@ -240,7 +259,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, n_columns);
     Eigen::RowVectorXd row(n_columns);
     const std::span<double> row_values(row.data(), static_cast<std::size_t>(n_columns));
-    for (const QuadraturePoint &q : projection_points(p.basis, n_points, n_levels)) {
+    for (const QuadraturePoint &q : projection_points(p.basis, n_points, n_levels, touching_corners(p, to, from))) {
         transfer.at(q.position, row_values);
         kernel += q.inner * p.basis.evaluate(q.position).head(n_rows) * row;
     }

@@ -7,31 +7,61 @@
 
 namespace penumbra {
 
-std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n, int levels) {
+namespace {
+
+struct Rule {
+    std::vector<double> at, weight;
+};
+
+/// Gauss points on [0,1], divided at `breaks` and graded towards every division.
+Rule graded_rule(int n, int levels, std::vector<double> breaks) {
+    breaks.insert(breaks.end(), {0.0, 1.0});
+    std::ranges::sort(breaks);
+    const auto same = [](double a, double b) { return b - a < 1e-9; };
+    breaks.erase(std::ranges::unique(breaks, same).begin(), breaks.end());
+    std::vector<double> borders;
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+        const double length = breaks[k + 1] - breaks[k];
+        borders.push_back(breaks[k]);
+        double width = 0.15;
+        for (int level = 0; level < levels; ++level, width *= 0.15) {
+            borders.push_back(breaks[k] + width * length);
+            borders.push_back(breaks[k + 1] - width * length);
+        }
+    }
+    borders.push_back(1);
+    std::ranges::sort(borders);
+    const GaussRule &gauss = gauss_rule(n);
+    Rule rule;
+    for (std::size_t k = 0; k + 1 < borders.size(); ++k)
+        for (std::size_t i = 0; i < gauss.points.size(); ++i) {
+            const double panel = borders[k + 1] - borders[k];
+            rule.at.push_back(borders[k] + panel * gauss.points[i]);
+            rule.weight.push_back(panel * gauss.weights[i]);
+        }
+    return rule;
+}
+
+} // namespace
+
+std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n, int levels,
+                                               std::span<const Vec2> ends) {
     if (levels == 0)
         return basis.quadrature(n);
-    std::vector<double> borders{0, 1};
-    double width = 0.15;
-    for (int level = 0; level < levels; ++level, width *= 0.15) {
-        borders.push_back(width);
-        borders.push_back(1 - width);
+    std::vector<double> u_breaks, v_breaks;
+    for (const Vec2 &end : ends) {
+        const Vec2 uv = basis.quad().inverse(end).cwiseMax(0.0).cwiseMin(1.0);
+        u_breaks.push_back(uv.x());
+        v_breaks.push_back(uv.y());
     }
-    std::ranges::sort(borders);
-    const GaussRule &rule = gauss_rule(n);
-    std::vector<double> at, weight;
-    for (std::size_t k = 0; k + 1 < borders.size(); ++k)
-        for (std::size_t i = 0; i < rule.points.size(); ++i) {
-            const double panel = borders[k + 1] - borders[k];
-            at.push_back(borders[k] + panel * rule.points[i]);
-            weight.push_back(panel * rule.weights[i]);
-        }
+    const Rule u = graded_rule(n, levels, std::move(u_breaks)), v = graded_rule(n, levels, std::move(v_breaks));
     std::vector<QuadraturePoint> points;
-    points.reserve(at.size() * at.size());
-    for (std::size_t i = 0; i < at.size(); ++i)
-        for (std::size_t j = 0; j < at.size(); ++j) {
-            QuadraturePoint q = basis.at_parameters(at[i], at[j]);
-            q.inner *= weight[i] * weight[j];
-            q.area *= weight[i] * weight[j];
+    points.reserve(u.at.size() * v.at.size());
+    for (std::size_t i = 0; i < u.at.size(); ++i)
+        for (std::size_t j = 0; j < v.at.size(); ++j) {
+            QuadraturePoint q = basis.at_parameters(u.at[i], v.at[j]);
+            q.inner *= u.weight[i] * v.weight[j];
+            q.area *= u.weight[i] * v.weight[j];
             points.push_back(q);
         }
     return points;
