@@ -8,18 +8,10 @@
 
 namespace penumbra {
 
-namespace {
-
-bool covered(const Surface &surface, const Vec2 &point) {
-    return std::ranges::any_of(surface.covers, [&](const Polygon &cover) { return contains(cover, point); });
-}
-
-} // namespace
-
 Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point) {
     const Surface &surface = scene.surface(id);
     Rgb irradiance = Rgb::Zero();
-    if (covered(surface, point))
+    if (is_covered(surface, point))
         return irradiance;
     const Vec3 x = surface.frame.to_space(point);
     std::vector<PairBlocker> others;
@@ -79,7 +71,7 @@ double direct_error(const Scene &scene, const Blockers &blockers, const Forest &
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j) {
                 const QuadraturePoint q = e.basis.at_parameters((i + 0.5) / n, (j + 0.5) / n);
-                if (covered(scene.surface(e.surface), q.position))
+                if (is_covered(scene.surface(e.surface), q.position))
                     continue;
                 const Rgb exact = direct_radiosity(scene, blockers, e.surface, q.position);
                 const Rgb ours = (e.basis.evaluate(q.position).transpose() * b).transpose().array();

@@ -112,4 +112,8 @@ void find_covers(Scene &scene) {
     }
 }
 
+bool is_covered(const Surface &surface, const Vec2 &p) {
+    return std::ranges::any_of(surface.covers, [&](const Polygon &cover) { return contains(cover, p); });
+}
+
 } // namespace penumbra

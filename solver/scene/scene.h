@@ -51,6 +51,9 @@ struct View {
     double fov_degrees = 40; ///< from the lower to the upper border
 };
 
+/// Whether p (in the surface's plane) lies under one of its covers.
+bool is_covered(const Surface &surface, const Vec2 &p);
+
 struct Scene {
     std::string name;                  ///< as in labels: the file's stem
     std::filesystem::path file;        ///< where it was read from, empty when made in memory

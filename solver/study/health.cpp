@@ -30,10 +30,6 @@ struct Flux {
     }
 };
 
-bool covered(const Surface &surface, const Vec2 &p) {
-    return std::ranges::any_of(surface.covers, [&](const Polygon &cover) { return contains(cover, p); });
-}
-
 /// A channel in which a surface does not reflect tells nothing of what arrives there: it counts as black.
 Rgb reflecting(const Rgb &rho) { return (rho > 0).cast<double>(); }
 
@@ -55,7 +51,7 @@ Flux follow(const Scene &scene, const RayScene &rays, const Element &e, const Co
         }
         const QuadraturePoint q = e.basis.at_parameters(s[0], s[1]);
         const double area = q.area / n;
-        const bool dark = covered(surface, q.position);
+        const bool dark = is_covered(surface, q.position);
         const Rgb value = dark ? Rgb(Rgb::Zero()) : Rgb((e.basis.evaluate(q.position).transpose() * b).transpose().array());
         flux.leaving += area * value;
         if (!dark) {
@@ -70,7 +66,7 @@ Flux follow(const Scene &scene, const RayScene &rays, const Element &e, const Co
             continue;
         const Surface &target = scene.surface(hit->surface);
         const Vec3 at = surface.frame.to_space(q.position) + hit->distance * direction;
-        if (!covered(target, target.frame.to_plane(at)))
+        if (!is_covered(target, target.frame.to_plane(at)))
             flux.by_rays += reflecting(scene.reflectance(hit->surface)) * area * value;
     }
     return flux;

@@ -2,9 +2,10 @@
 
 #include "core/check.h"
 #include "transport/lambert.h"
+#include "transport/point_transfer.h"
+#include "transport/proximity.h"
 #include "transport/receiver_points.h"
 #include "transport/shadow_points.h"
-#include "transport/source_moments.h"
 #include "visibility/shaft.h"
 
 #include <algorithm>
@@ -32,108 +33,6 @@ Polygon in_front(std::span<const Polygon> parts, const PlaneFrame &own, const Pl
     }
     return parts.size() > 1 ? convex_hull(std::move(all)) : all;
 }
-
-/// Source node with what of it is not covered.
-struct SourceNode {
-    const Element &element;
-    ConvexPieces whole;
-    int n_columns;
-};
-
-SourceNode source_node(const Scene &scene, const Element &q) {
-    SourceNode node{q, {}, scene.reflects(q.surface) ? q.basis.n_functions() : 1};
-    node.whole.add(q.basis.outline());
-    for (const Polygon &cover : scene.surface(q.surface).covers) {
-        ConvexPieces rest;
-        subtract(node.whole, half_planes(cover), rest);
-        node.whole = std::move(rest);
-    }
-    return node;
-}
-
-bool covered(const Surface &surface, const Vec2 &p) {
-    return std::ranges::any_of(surface.covers, [&](const Polygon &cover) { return contains(cover, p); });
-}
-
-bool in_solid(const Blockers &blockers, const Vec3 &x) {
-    return std::ranges::any_of(blockers.all(), [&](const Blocker &b) {
-        return b.solid >= 0 && !blockers.outside(b.solid, std::span(&x, 1));
-    });
-}
-
-double distance_from(const Vec3 &x, const PlaneFrame &frame, const Polygon &convex) {
-    const Vec2 foot = frame.to_plane(x);
-    return std::hypot(frame.height(x), (foot - nearest_point(convex, foot)).norm());
-}
-
-/// Least distance of a corner of the one from the other: an upper bound of the distance of the two.
-double corner_distance(const Element &p, const Surface &to, const Surface &from) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Polygon &part : from.parts) {
-        for (const Vec2 &corner : p.basis.outline())
-            least = std::min(least, distance_from(to.frame.to_space(corner), from.frame, part));
-        for (const Vec2 &corner : part)
-            least = std::min(least, distance_from(from.frame.to_space(corner), to.frame, p.basis.outline()));
-    }
-    return least;
-}
-
-/// Corners of the source that touch p, in p's plane.
-std::vector<Vec2> touching_corners(const Element &p, const Surface &to, const Surface &from) {
-    std::vector<Vec2> found;
-    for (const Vec3 &corner : from.corners)
-        if (distance_from(corner, to.frame, p.basis.outline()) < 1e-9)
-            found.push_back(to.frame.to_plane(corner));
-    return found;
-}
-
-/// T_j at receiver points, a block of columns for each source node. Under a flat cover of the receiver, which nothing
-/// sees, T goes on as if it were not there: a hole with T = 0 would have to be fitted, and spoils upper levels. Under a
-/// solid T is 0, as it is in the solid's own shadow.
-class PointTransfer {
-public:
-    PointTransfer(const Transport &transport, const Element &p, const Surface &source, std::span<const PairBlocker> pair,
-                  std::vector<SourceNode> nodes, Work &work)
-        : transport_(transport), receiver_(transport.scene.surface(p.surface)), source_(source), pair_(pair),
-          nodes_(std::move(nodes)), work_(work) {
-        for (const SourceNode &node : nodes_)
-            n_columns_ += node.n_columns;
-    }
-
-    int n_columns() const { return n_columns_; }
-    const std::vector<SourceNode> &nodes() const { return nodes_; }
-
-    /// Fills `row` (n_columns values) for the point.
-    void at(const Vec2 &point, std::span<double> row) {
-        if (transport_.cancel)
-            transport_.cancel->check();
-        std::ranges::fill(row, 0.0);
-        const Vec3 x = receiver_.frame.to_space(point);
-        const Vec3 &n = receiver_.frame.normal;
-        if (covered(receiver_, point) && in_solid(transport_.blockers, x + 1e-6 * n))
-            return;
-        if (source_.frame.height(x) <= 0)
-            return;
-        scratch_.hidden.cast(x, source_.frame, transport_.blockers, pair_, work_);
-        std::size_t first = 0;
-        for (const SourceNode &node : nodes_) {
-            const auto count = static_cast<std::size_t>(node.n_columns);
-            visible_part(x, n, source_.frame, node.whole, scratch_.hidden, scratch_);
-            source_moments(x, n, source_.frame, node.element.basis, scratch_.pieces, transport_.accuracy,
-                           row.subspan(first, count), work_);
-            first += count;
-        }
-    }
-
-private:
-    const Transport &transport_;
-    const Surface &receiver_, &source_;
-    std::span<const PairBlocker> pair_;
-    std::vector<SourceNode> nodes_;
-    Work &work_;
-    VisibleScratch scratch_;
-    int n_columns_ = 0;
-};
 
 auto radiosity_of(const Forest &forest, const Link &link, const Coefficients &radiosity) {
     return radiosity.middleRows(forest[link.source].first, link.kernel.cols());
@@ -268,7 +167,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         std::vector<Vec2> tests = test_points(p.basis);
         const auto shadows = shadow_points(transport.scene, transport.blockers, p, from, out->blockers);
         tests.insert(tests.end(), shadows.begin(), shadows.end());
-        std::erase_if(tests, [&](const Vec2 &at) { return covered(to, at); });
+        std::erase_if(tests, [&](const Vec2 &at) { return is_covered(to, at); });
         misfit.resize(static_cast<Eigen::Index>(tests.size()), n_columns);
         for (std::size_t c = 0; c < tests.size(); ++c) {
             transfer.at(tests[c], row_values);

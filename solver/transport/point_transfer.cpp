@@ -1,0 +1,60 @@
+#include "transport/point_transfer.h"
+
+#include "transport/source_moments.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace penumbra {
+
+namespace {
+
+bool in_solid(const Blockers &blockers, const Vec3 &x) {
+    return std::ranges::any_of(blockers.all(), [&](const Blocker &b) {
+        return b.solid >= 0 && !blockers.outside(b.solid, std::span(&x, 1));
+    });
+}
+
+} // namespace
+
+SourceNode source_node(const Scene &scene, const Element &q) {
+    SourceNode node{q, {}, scene.reflects(q.surface) ? q.basis.n_functions() : 1};
+    node.whole.add(q.basis.outline());
+    for (const Polygon &cover : scene.surface(q.surface).covers) {
+        ConvexPieces rest;
+        subtract(node.whole, half_planes(cover), rest);
+        node.whole = std::move(rest);
+    }
+    return node;
+}
+
+PointTransfer::PointTransfer(const Transport &transport, const Element &p, const Surface &source,
+                             std::span<const PairBlocker> pair, std::vector<SourceNode> nodes, Work &work)
+    : transport_(transport), receiver_(transport.scene.surface(p.surface)), source_(source), pair_(pair),
+      nodes_(std::move(nodes)), work_(work) {
+    for (const SourceNode &node : nodes_)
+        n_columns_ += node.n_columns;
+}
+
+void PointTransfer::at(const Vec2 &point, std::span<double> row) {
+    if (transport_.cancel)
+        transport_.cancel->check();
+    std::ranges::fill(row, 0.0);
+    const Vec3 x = receiver_.frame.to_space(point);
+    const Vec3 &n = receiver_.frame.normal;
+    if (is_covered(receiver_, point) && in_solid(transport_.blockers, x + 1e-6 * n))
+        return;
+    if (source_.frame.height(x) <= 0)
+        return;
+    scratch_.hidden.cast(x, source_.frame, transport_.blockers, pair_, work_);
+    std::size_t first = 0;
+    for (const SourceNode &node : nodes_) {
+        const auto count = static_cast<std::size_t>(node.n_columns);
+        visible_part(x, n, source_.frame, node.whole, scratch_.hidden, scratch_);
+        source_moments(x, n, source_.frame, node.element.basis, scratch_.pieces, transport_.accuracy,
+                       row.subspan(first, count), work_);
+        first += count;
+    }
+}
+
+} // namespace penumbra
