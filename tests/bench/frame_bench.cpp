@@ -1,4 +1,5 @@
-// Frames of one pane as the window draws them, 1280x720 with four samples a pixel, and bringing a snapshot to the GPU.
+// Frames of one pane of 1280x720 as the window draws them, with one sample a pixel while the view moves and four when
+// it rests, and bringing a snapshot to the GPU.
 #include "solved.h"
 
 #include "capture.h"
@@ -75,7 +76,7 @@ bool is_blank(const Image &image) {
 }
 
 /// The camera orbits by a degree a frame. A frame ends when its pixels are there (glFinish).
-void frames(benchmark::State &state, const Case &c, bool solving) {
+void frames(benchmark::State &state, const Case &c, int samples, bool solving) {
     if (!context()) {
         state.SkipWithError("no off-screen GL here");
         return;
@@ -86,13 +87,16 @@ void frames(benchmark::State &state, const Case &c, bool solving) {
     const auto snapshot = solver.snapshot();
     PaneRenderer renderer;
     renderer.upload(*snapshot);
-    const gl::Framebuffer canvas(width, height, gl::Framebuffer::Colour::srgb8, 4);
     const gl::Framebuffer kept(width, height, gl::Framebuffer::Colour::srgb8, 1);
+    std::optional<gl::Framebuffer> sampled;
+    if (samples > 1)
+        sampled.emplace(width, height, gl::Framebuffer::Colour::srgb8, samples);
     Camera camera = first_view(*scene, *snapshot, static_cast<double>(width) / height);
     const auto draw = [&] {
-        canvas.bind();
+        (sampled ? *sampled : kept).bind();
         renderer.draw(camera, Look{}, {0, 0, width, height}, height);
-        kept.resolve(canvas);
+        if (sampled)
+            kept.resolve(*sampled);
         glFinish();
     };
     draw(); // the driver compiles its shaders with the first frame
@@ -143,12 +147,14 @@ const bool registered = [] {
     cases.push_back({"cornell-box", Strategy::discontinuity_wavelet, 0.02});
     for (const Case &c : cases) {
         const std::string of = "/" + std::string(c.scene) + "/" + std::string(name(c.strategy));
-        for (const bool solving : {false, true})
-            benchmark::RegisterBenchmark(((solving ? "frame_solving" : "frame_idle") + of).c_str(),
-                                         [=](benchmark::State &state) { frames(state, c, solving); })
-                ->UseManualTime()
-                ->Iterations(180)
-                ->Unit(benchmark::kMillisecond);
+        for (const int samples : {1, 4})
+            for (const bool solving : {false, true}) {
+                const std::string title =
+                    std::string("frame/") + (samples == 1 ? "moving" : "resting") + (solving ? "/solving" : "/idle") + of;
+                benchmark::RegisterBenchmark(title.c_str(), [=](benchmark::State &state) {
+                    frames(state, c, samples, solving);
+                })->UseManualTime()->Iterations(60)->Unit(benchmark::kMillisecond);
+            }
         benchmark::RegisterBenchmark(("upload" + of).c_str(), [=](benchmark::State &state) { upload(state, c); })
             ->UseRealTime()
             ->Unit(benchmark::kMillisecond);
