@@ -31,10 +31,12 @@ Framebuffer::Framebuffer(int width, int height, Colour colour, int samples) : wi
 
 void Framebuffer::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name()); }
 
-void Framebuffer::resolve(const Framebuffer &from) const {
+void Framebuffer::resolve(const Framebuffer &from) const { resolve(from, 0, 0, width_, height_); }
+
+void Framebuffer::resolve(const Framebuffer &from, int x, int y, int width, int height) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(x, y, x + width, y + height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     bind();
 }
 

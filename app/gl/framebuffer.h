@@ -16,6 +16,8 @@ public:
     void bind() const;
     /// Averages the samples of `from`, of the same size, into this one.
     void resolve(const Framebuffer &from) const;
+    /// The same in a rectangle alone; x, y count from the lower left corner.
+    void resolve(const Framebuffer &from, int x, int y, int width, int height) const;
     int width() const { return width_; }
     int height() const { return height_; }
 

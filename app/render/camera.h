@@ -15,6 +15,7 @@ struct Camera {
     glm::dvec3 target{0, 0, 0}; ///< what the eye looks at and orbits about
     glm::dvec3 up{0, 0, 1};     ///< unit; the scene's up, not tilted with the view
     double fov_y = 30;          ///< full vertical angle [degrees]
+    bool operator==(const Camera &) const = default;
 };
 
 /// Smallest box around all surfaces.

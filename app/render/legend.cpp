@@ -118,14 +118,17 @@ ImVec2 draw_colour_legend_lying(ImDrawList &list, const Fonts &fonts, ImVec2 cor
     });
     list.AddRect({left, top}, {left + width, top + bar}, ink(look));
     const Ticks marks = ticks(range, std::clamp(width / (5 * em), 2.f, 6.f));
+    float free_from = left; // where the text before ends: at the bar's ends texts are moved inward
     for (const double v : marks.values) {
         const float x = left + width * static_cast<float>((v - range.low) / (range.high - range.low));
         const std::string text = tick_text(v, marks.step);
         const float text_width = size_of(fonts, em, text).x;
         list.AddLine({x, top + bar}, {x, top + bar + 0.25f * em}, ink(look));
-        list.AddText(fonts.text, em,
-                     {std::clamp(x - text_width / 2, left, std::max(left, left + width - text_width)), top + bar + 0.3f * em},
-                     ink(look), text.c_str());
+        const float text_left = std::clamp(x - text_width / 2, left, std::max(left, left + width - text_width));
+        if (text_left < free_from)
+            continue;
+        list.AddText(fonts.text, em, {text_left, top + bar + 0.3f * em}, ink(look), text.c_str());
+        free_from = text_left + text_width + 0.4f * em;
     }
     return {width, 1.35f * em + bar + 1.4f * em};
 }

@@ -2,6 +2,7 @@
 
 #include "gl/framebuffer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -9,7 +10,7 @@ namespace penumbra {
 
 namespace {
 
-constexpr int samples = 4; // what llvmpipe offers at most; lines one pixel wide need them
+constexpr int samples = 4; // what llvmpipe offers at most, at twice the time of one
 
 /// All that a pane's picture depends on.
 struct Shown {
@@ -17,11 +18,9 @@ struct Shown {
     Camera camera;
     Look look;
     PixelRect rect;
+    bool draft = false; ///< of one sample a pixel
 };
 
-bool same(const Camera &a, const Camera &b) {
-    return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y == b.fov_y;
-}
 bool same(const Look &a, const Look &b) {
     return a.shading == b.shading && a.layers.mesh == b.layers.mesh && a.layers.curves == b.layers.curves &&
            a.layers.links == b.layers.links && a.exposure_ev == b.exposure_ev && a.range == b.range &&
@@ -31,7 +30,7 @@ bool same(const PixelRect &a, const PixelRect &b) {
     return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
 bool same(const Shown &a, const Shown &b) {
-    return a.version == b.version && same(a.camera, b.camera) && same(a.look, b.look) && same(a.rect, b.rect);
+    return a.version == b.version && a.camera == b.camera && same(a.look, b.look) && same(a.rect, b.rect);
 }
 
 PixelRect pixels(const WindowRect &r, double ratio) {
@@ -57,10 +56,10 @@ struct PaneCanvas::Parts {
         clear();
     }
     void clear() {
-        sampled->bind();
+        kept->bind();
         const float level = theme == Theme::dark ? 0.16f : 0.8f; // of the lines between panes
         glClearColor(level, level, level, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClear(GL_COLOR_BUFFER_BIT);
         shown = {};
     }
 };
@@ -69,7 +68,7 @@ PaneCanvas::PaneCanvas() : parts_(std::make_unique<Parts>()) {}
 PaneCanvas::~PaneCanvas() = default;
 
 int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement &arrangement, int width, int height,
-                     double pixel_ratio) {
+                     double pixel_ratio, bool moving) {
     Parts &p = *parts_;
     p.resize(width, height);
     if (p.theme != look.theme || p.n != arrangement.pane.size()) {
@@ -83,22 +82,26 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
         const auto snapshot = state.snapshot(strategies[i]);
         if (!snapshot)
             continue; // what was there stays until the new solution is ready
-        const Shown now{snapshot->version, state.camera, look, pixels(arrangement.pane[i], pixel_ratio)};
-        if (p.shown[i] && same(*p.shown[i], now))
+        const Shown now{snapshot->version, state.camera, look, pixels(arrangement.pane[i], pixel_ratio), moving};
+        if (p.shown[i] && same(*p.shown[i], now) && (moving || !p.shown[i]->draft))
             continue;
-        p.sampled->bind();
+        (moving ? *p.kept : *p.sampled).bind();
         p.renderers[i].upload(*snapshot);
         p.renderers[i].draw(state.camera, look, now.rect, height, {pixel_ratio * state.ui_scale});
+        if (!moving)
+            p.kept->resolve(*p.sampled, now.rect.x, height - now.rect.y - now.rect.height, now.rect.width, now.rect.height);
         p.shown[i] = now;
         ++drawn;
     }
-    if (drawn > 0)
-        p.kept->resolve(*p.sampled);
     p.kept->bind();
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return drawn;
+}
+
+bool PaneCanvas::draft() const {
+    return std::ranges::any_of(parts_->shown, [](const auto &shown) { return shown && shown->draft; });
 }
 
 } // namespace penumbra

@@ -19,9 +19,12 @@ public:
     PaneCanvas &operator=(const PaneCanvas &) = delete;
 
     /// Draws into the default framebuffer, of this size [pixels]; `pixel_ratio` is pixels to a screen coordinate.
-    /// Returns how many panes had to be drawn anew.
+    /// While the view is `moving` what has changed is drawn as a draft, with one sample a pixel, in half the time: lines
+    /// are as smooth, borders of surfaces less so. Returns how many panes had to be drawn anew.
     int draw(const AppState &state, const Look &look, const Arrangement &arrangement, int width, int height,
-             double pixel_ratio);
+             double pixel_ratio, bool moving);
+    /// Whether a pane shows a draft, and should be drawn once more when the view rests.
+    bool draft() const;
 
 private:
     struct Parts;

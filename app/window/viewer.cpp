@@ -22,6 +22,7 @@ constexpr double text_height = 15; ///< screen coordinates at scale 1
 /// ImGui may need one frame for the press of a button, one for its release, and one more for what follows from it.
 constexpr int frames_to_settle = 4;
 constexpr double fresh_seconds = 2.5; ///< how long new patches stand out
+constexpr double rest_seconds = 0.15; ///< after the last move of the camera the panes are drawn at their best
 
 AppState first_state(const ViewerSetup &setup) {
     AppState state;
@@ -114,6 +115,12 @@ double Viewer::wait_time() {
         else if (left > -0.1)
             frames_owed_ = std::max(frames_owed_, 1);
     }
+    if (canvas_.draft()) {
+        if (const double left = rest_seconds - seconds_since(moved_at_); left > 0)
+            wait = sooner(wait, left);
+        else
+            frames_owed_ = std::max(frames_owed_, 1);
+    }
     return frames_owed_ > 0 ? 0 : wait;
 }
 
@@ -143,6 +150,16 @@ void Viewer::update_range() {
                 snapshots.push_back(state_.timeline(s).moments.front().get());
     if (!snapshots.empty())
         state_.look.range = common_range(snapshots);
+}
+
+/// Whether the camera has moved a moment ago.
+bool Viewer::is_moving() {
+    if (!drawn_camera_ || *drawn_camera_ != state_.camera) {
+        if (drawn_camera_) // the first view comes at rest
+            moved_at_ = Clock::now();
+        drawn_camera_ = state_.camera;
+    }
+    return seconds_since(moved_at_) < rest_seconds;
 }
 
 /// The look as it is drawn now: what is new stands out for a moment only.
@@ -187,7 +204,8 @@ void Viewer::draw_frame() {
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
     if (width > 0 && height > 0)
-        canvas_.draw(state_, look_now(), arrangement, width, height, window_.pixel_ratio());
+        canvas_.draw(state_, look_now(), arrangement, width, height, window_.pixel_ratio(),
+                     is_moving() && !state_.picture_request);
     window_.draw_interface();
     take_pictures();
     window_.swap();
@@ -229,7 +247,7 @@ void Viewer::take_pictures() {
 }
 
 void Viewer::write_state() {
-    if (setup_.state_file.empty() || frames_owed_ > 0)
+    if (setup_.state_file.empty() || frames_owed_ > 0 || canvas_.draft())
         return;
     std::string text = observed_state_text(state_);
     if (text == written_state_)

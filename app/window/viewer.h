@@ -40,6 +40,7 @@ private:
     double wait_time();
     void set_first_view();
     void update_range();
+    bool is_moving();
     Look look_now() const;
     float legend_height(float width) const;
     void draw_frame();
@@ -58,6 +59,8 @@ private:
     Fonts fonts_;
     double fonts_scale_ = 0;
     std::optional<Theme> theme_;
+    std::optional<Camera> drawn_camera_; ///< of the frame before
+    Clock::time_point moved_at_;         ///< when the camera was last seen to move
     int frames_owed_ = 2; ///< ImGui shows some changes a frame later
     std::string written_state_;
 };

@@ -1,7 +1,8 @@
+#include "core/percent.h"
 #include "iteration/state.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <string>
 
 namespace penumbra {
 
@@ -46,10 +47,9 @@ void push_pull(const Setting &setting, State &state) {
     for (int s = 0; s < scene.n_surfaces(); ++s)
         rho = std::max(rho, scene.reflectance(SurfaceId(s)).maxCoeff());
     c.converged = !c.refined && c.change <= 0.1 * setting.options.threshold * (1 - rho);
-    char text[96];
-    std::snprintf(text, sizeof text, "pushed irradiance to %d patches and pulled radiosity up; it changed by %.2g %%",
-                  c.patches, 100 * c.change);
-    state.sentence = c.converged ? "converged: nothing refined, and radiosity no longer changes" : text;
+    state.sentence = c.converged ? "converged: nothing refined, and radiosity no longer changes"
+                                 : "pushed irradiance to " + std::to_string(c.patches) +
+                                       " patches and pulled radiosity up; it changed by " + percent(c.change);
 }
 
 } // namespace penumbra

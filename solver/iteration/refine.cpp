@@ -1,10 +1,10 @@
 #include "iteration/state.h"
 
 #include "core/parallel.h"
+#include "core/percent.h"
 #include "iteration/candidates.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
 namespace penumbra {
@@ -170,22 +170,16 @@ private:
             if (!curve.blockers.empty())
                 how += " and " + surface_name(curve.blockers.front());
         }
-        const double percent = 100 * setting_.options.threshold;
+        const double threshold = setting_.options.threshold;
         told_ = surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " +
                 std::to_string(e.basis.order()) + " misses what " + surface_name(source) + " brings by " +
-                shorten(worst * percent) + " % of the peak > " + shorten(percent) + " %; " + how;
+                percent(worst * threshold) + " of the peak > " + percent(threshold) + "; " + how;
         told_cut_ = split.cut.has_value();
     }
 
     std::string surface_name(SurfaceId s) const {
         const std::string &n = scene_.surface(s).name;
         return n.empty() ? "surface " + std::to_string(s.index) : n;
-    }
-
-    static std::string shorten(double x) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.2g", x);
-        return text;
     }
 
     /// New elements start with what their parent had, so that the change of an iteration is not their making.
