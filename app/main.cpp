@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,12 @@ int run(std::vector<std::string> arguments) {
     try {
         root.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 takes them backwards
     } catch (const CLI::ParseError &e) {
-        if (e.get_exit_code() == 0)
-            return root.exit(e); // help and version
+        if (e.get_exit_code() == 0) { // help and version
+            std::ostringstream text;
+            root.exit(e, text, text);
+            deliver("", text.str());
+            return 0;
+        }
         complain(std::string(e.what()) + "; see penumbra " + arguments.front() + " --help");
         return wrong_use;
     }

@@ -29,10 +29,13 @@ CurveIndex::CurveIndex(std::vector<Curve> curves, int n_surfaces)
         by_receiver_[curves_[c].receiver.at()].emplace_back(c);
 }
 
-std::vector<CurveSegment> CurveIndex::crossing(SurfaceId receiver, const Polygon &convex) const {
+std::vector<CurveSegment> CurveIndex::crossing(SurfaceId receiver, const Polygon &convex,
+                                               std::span<const SurfaceId> sources) const {
     std::vector<CurveSegment> segments;
     for (const CurveId id : on_receiver(receiver)) {
         const Curve &c = curve(id);
+        if (std::ranges::find(sources, c.source) == sources.end())
+            continue;
         const double length = (c.to - c.from).norm();
         const Vec2 along = (c.to - c.from) / length;
         const Interval part = part_inside(c, along, length, convex);

@@ -27,10 +27,11 @@ public:
     const Curve &curve(CurveId c) const { return curves_[c.at()]; }
     std::span<const CurveId> on_receiver(SurfaceId receiver) const { return by_receiver_[receiver.at()]; }
 
-    /// Curves that pass through the interior of the convex polygon, in ascending order of their ids; one that runs
-    /// along its border does not. Those of different sources that lie in one line come as one, under the id of the one
-    /// with the lowest order, from the first end to the last.
-    std::vector<CurveSegment> crossing(SurfaceId receiver, const Polygon &convex) const;
+    /// Curves of the given sources that pass through the interior of the convex polygon, in ascending order of their
+    /// ids; one that runs along its border does not. Those of different sources that lie in one line come as one, under
+    /// the id of the one with the lowest order, from the first end to the last.
+    std::vector<CurveSegment> crossing(SurfaceId receiver, const Polygon &convex,
+                                       std::span<const SurfaceId> sources) const;
 
 private:
     std::vector<Curve> curves_;

@@ -99,11 +99,10 @@ struct CurveCut {
 std::vector<CurveCut> curve_cuts(const Setting &setting, const Element &node,
                                  std::span<const Interaction *const> failing) {
     std::vector<CurveCut> cuts;
-    const Polygon &outline = node.basis.outline();
-    for (const CurveSegment &segment : setting.curves.crossing(node.surface, outline)) {
-        const SurfaceId source = setting.curves.curve(segment.curve).source;
-        if (std::ranges::none_of(failing, [&](const Interaction *i) { return i->source == source; }))
-            continue;
+    std::vector<SurfaceId> sources;
+    for (const Interaction *interaction : failing)
+        sources.push_back(interaction->source);
+    for (const CurveSegment &segment : setting.curves.crossing(node.surface, node.basis.outline(), sources)) {
         const Vec2 d = (segment.to - segment.from).normalized();
         if (auto plan = plan_cut(node, {-d.y(), d.x(), cross(segment.from, d)}))
             cuts.push_back({segment.curve, (segment.to - segment.from).norm(), std::move(*plan)});

@@ -6,6 +6,8 @@
 #include "scene/normalise.h"
 #include "scene/validate.h"
 
+#include <algorithm>
+
 namespace penumbra {
 
 namespace {
@@ -56,6 +58,12 @@ Scene build_scene(RawScene raw) {
     scene.up = raw.up;
     scene.notes = std::move(raw.notes);
     find_covers(scene);
+    const bool dark = std::ranges::none_of(scene.surfaces, [&](const Surface &s) {
+        return scene.materials[static_cast<std::size_t>(s.material)].exitance.maxCoeff() > 0;
+    });
+    if (dark) // first, as it is what a black picture asks for
+        scene.notes.insert(scene.notes.begin(), scene.file.string() + ": nothing emits (no face's material has a Ke above "
+                                                                      "0): the scene is dark");
     return scene;
 }
 

@@ -75,6 +75,16 @@ void cover(Surface &below, const Surface &above) {
     }
 }
 
+/// Whether the two outlines are one: how OBJ files write a double-sided face, having no word for it.
+bool back_to_back(const Surface &a, const Surface &b) {
+    const auto has = [](const Surface &s, const Vec3 &x) {
+        return std::ranges::any_of(s.corners, [&](const Vec3 &c) { return (c - x).norm() <= coplanar_within; });
+    };
+    return a.corners.size() == b.corners.size() &&
+           std::ranges::all_of(a.corners, [&](const Vec3 &x) { return has(b, x); }) &&
+           std::abs(a.area - b.area) <= coplanar_within * perimeter(a.outline);
+}
+
 /// Indices i < j, ascending, of surfaces whose boxes meet: a sweep along x.
 std::vector<std::pair<std::size_t, std::size_t>> meeting_pairs(const Scene &scene) {
     std::vector<Box> boxes;
@@ -104,6 +114,8 @@ void find_covers(Scene &scene) {
         if (a.face == b.face || !coplanar(a, b))
             continue;
         const bool opposite = a.frame.normal.dot(b.frame.normal) < 0;
+        if (opposite && back_to_back(a, b))
+            continue;
         const bool a_on_top = scene.emits(SurfaceId(i)) && !scene.emits(SurfaceId(j));
         if (opposite || !a_on_top)
             cover(a, b);

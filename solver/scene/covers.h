@@ -10,7 +10,8 @@ inline constexpr double coplanar_within = 1e-9;
 
 /// Fills `covers` of all surfaces. Where two surfaces overlap in one plane and face the same way, the emitter, else the
 /// later, lies on top and covers the other; where they face each other's way, each covers the other. The two sides of
-/// one double-sided face never do, nor do surfaces that only touch. Covers of different surfaces may overlap.
+/// one double-sided face never do, be they one face of the file or two with the same corners, back to back; nor do
+/// surfaces that only touch. Covers of different surfaces may overlap.
 void find_covers(Scene &scene);
 
 } // namespace penumbra

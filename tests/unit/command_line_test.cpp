@@ -94,6 +94,10 @@ TEST_F(CommandLine, BadInputIsThree) {
 TEST_F(CommandLine, WhatCannotBeWrittenIsFive) {
     for (const char *place : {"none/a.json", ".", "/dev/full"})
         EXPECT_EQ(run(std::string("solve furnace --max-depth 0 -o ") + place).status, 5) << place;
+    for (const char *said : {"--version", "--help", "scenes", "solve furnace --max-depth 0"}) {
+        const int status = std::system(("'" PENUMBRA_PROGRAM "' " + std::string(said) + " 2>/dev/null >/dev/full").c_str());
+        EXPECT_EQ(WEXITSTATUS(status), 5) << said;
+    }
 }
 
 TEST_F(CommandLine, ScenesAreListed) {

@@ -38,6 +38,15 @@ TEST(Covers, FacingEachOthersWayBothAreCovered) {
     EXPECT_NEAR(covered(scene, 1), 4, 1e-12);
 }
 
+TEST(Covers, BackToBackIsADoubleSidedFaceAndCoversNothing) {
+    // The same corners, begun at another one, and a lamp's back.
+    for (const char *second : {"f 4 3 2 1\n", "f 2 1 4 3\n", "usemtl lamp\nf 3 2 1 4\n"}) {
+        const Scene scene = scene_of(large + small + "usemtl grey\nf 1 2 3 4\n" + second, materials);
+        EXPECT_EQ(covered(scene, 0), 0) << second;
+        EXPECT_EQ(covered(scene, 1), 0) << second;
+    }
+}
+
 TEST(Covers, PiecesLieInTheFrameOfTheCoveredOne) {
     const Scene scene = scene_of(large + "v 1 1 0\nv 5 1 0\nv 5 5 0\nv 1 5 0\nf 1 2 3 4\nf 5 6 7 8\n", materials);
     const Surface &below = scene.surface(SurfaceId(0));

@@ -97,6 +97,15 @@ TEST(ReadObj, AFaceWithoutMaterialIsGreyAndNoted) {
     EXPECT_THAT(notes_of(scene_of(square + "f 1 2 3 4\n")), HasSubstr("1 face without a material: grey 0.5"));
 }
 
+TEST(ReadObj, ASceneThatNothingLightsSaysSoFirst) {
+    // A lamp whose light is in Ka, as older exporters wrote it.
+    const Scene dark = scene_of("mtllib m\nusemtl light\n" + square + "f 1 2 3 4\n", "newmtl light\nKa 20 20 20\nKd 0.5 0.5 0.5\n");
+    ASSERT_FALSE(dark.notes.empty());
+    EXPECT_THAT(dark.notes[0], HasSubstr("nothing emits"));
+    const Scene lit = scene_of("mtllib m\nusemtl light\n" + square + "f 1 2 3 4\n", "newmtl light\nKe 0 0 1\n");
+    EXPECT_THAT(notes_of(lit), testing::Not(HasSubstr("nothing emits")));
+}
+
 TEST(ReadObj, WhatMeansNothingIsCountedOnce) {
     const Scene scene = scene_of("vn 0 0 1\nvn 0 1 0\nvt 0 0\ns off\n" + square + "f 1 2 3 4\nl 1 2\n");
     EXPECT_THAT(notes_of(scene), HasSubstr("'l' 1x, 's' 1x, 'vn' 2x, 'vt' 1x"));
