@@ -5,15 +5,16 @@
 
 #include <fstream>
 #include <gmock/gmock.h>
+#include <string_view>
 
 namespace penumbra {
 namespace {
 
-const Surface &named(const Scene &scene, const std::string &name) {
+const Surface &named(const Scene &scene, std::string_view name) {
     for (const Surface &s : scene.surfaces)
         if (s.name == name)
             return s;
-    throw std::out_of_range(name);
+    throw std::out_of_range(std::string(name));
 }
 
 /// Volume that the surfaces of that name enclose, positive when their fronts face outwards: a sum of cones from the
