@@ -149,11 +149,12 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
     std::set<std::pair<int, int>> curves;
     for (const Snapshot *s : snapshots) {
         for (const SnapshotPatch &p : s->patches)
-            for (const SideKind kind : p.sides) {
-                uniform |= kind == SideKind::uniform;
-                cut |= kind == SideKind::cut;
-                fresh |= p.fresh && kind == SideKind::uniform;
-            }
+            if (role(s->surfaces[static_cast<std::size_t>(p.surface)]) == SurfaceRole::reflector) // no mesh on lamps
+                for (const SideKind kind : p.sides) {
+                    uniform |= kind == SideKind::uniform;
+                    cut |= kind == SideKind::cut;
+                    fresh |= p.fresh && kind == SideKind::uniform;
+                }
         for (const SnapshotSurface &surface : s->surfaces)
             blocker |= role(surface) == SurfaceRole::blocker;
         if (s->curves)

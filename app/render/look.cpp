@@ -1,5 +1,7 @@
 #include "render/look.h"
 
+#include "render/surface_role.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,13 +32,18 @@ glm::vec4 background_colour(Theme theme) {
 
 Range common_range(std::span<const Snapshot *const> snapshots) {
     double peak = 0, exitance = 0;
+    bool reflector = false;
     for (const Snapshot *snapshot : snapshots) {
         peak = std::max(peak, snapshot->peak);
-        for (const SnapshotSurface &s : snapshot->surfaces)
+        for (const SnapshotSurface &s : snapshot->surfaces) {
             exitance = std::max(exitance, s.exitance.maxCoeff());
+            reflector |= role(s) == SurfaceRole::reflector;
+        }
     }
     if (!(peak > 0))
         peak = exitance > 0 ? exitance : 1;
+    else if (!reflector) // a furnace: all that there is to see glows as well
+        peak += exitance;
     const double unit = std::pow(10.0, std::floor(std::log10(peak)) - 1);
     return {0, std::ceil(peak / unit - 1e-9) * unit};
 }

@@ -44,7 +44,8 @@ struct Look {
 };
 
 /// 0 to the largest reflected radiosity of all snapshots, rounded up to two significant digits, so that panes that are
-/// compared can share it; before anything is lit, to the largest exitance.
+/// compared can share it; before anything is lit, to the largest exitance; where every surface that reflects also emits,
+/// to the sum of both.
 Range common_range(std::span<const Snapshot *const> snapshots);
 
 /// Pixels to a "pixel" of line widths and dashes: 1 on an ordinary screen, more on a dense one or in a large picture.
