@@ -9,6 +9,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <utility>
 
@@ -109,6 +110,14 @@ void GlfwWindow::wait(double seconds) {
 }
 
 bool GlfwWindow::take_touched() { return std::exchange(touched_, false); }
+
+bool GlfwWindow::has_input_waiting() const {
+#if IMGUI_VERSION_NUM < 18700
+    return false;
+#else
+    return ImGui::GetCurrentContext()->InputEventsQueue.Size > 0;
+#endif
+}
 
 void GlfwWindow::wake() { glfwPostEmptyEvent(); }
 

@@ -28,6 +28,8 @@ public:
     void wait(double seconds);
     /// Whether any event that may change the picture came since the last call.
     bool take_touched();
+    /// Whether ImGui holds input back for later frames: from 1.87 on it takes one change of a key a frame.
+    bool has_input_waiting() const;
     /// From any thread: makes wait() return.
     static void wake();
 

@@ -53,7 +53,7 @@ void Viewer::run() {
         window_.wait(frames_owed_ > 0 ? 0 : wait_time());
         take_reports();
         serve_requests();
-        if (window_.take_touched())
+        if (window_.take_touched() || window_.has_input_waiting())
             frames_owed_ = frames_to_settle;
         if (state_.busy || state_.playing)
             frames_owed_ = std::max(frames_owed_, 1);
