@@ -21,6 +21,11 @@ SnapshotSurface surface_of(const Scene &scene, SurfaceId id) {
     return out;
 }
 
+/// Distance of a drawn curve from the true one, as a fraction of its receiver's size.
+constexpr double polyline_accuracy = 1e-6;
+
+double receiver_size(const Scene &scene, SurfaceId receiver) { return 2 * radius(scene.surface(receiver).outline); }
+
 int link_kind(PairKind kind) { return kind == PairKind::clear ? 0 : kind == PairKind::near ? 1 : 2; }
 
 } // namespace
@@ -74,7 +79,7 @@ std::shared_ptr<const std::vector<SnapshotCurve>> draw_curves(const Setting &set
                             {}, {}};
         for (const SurfaceId b : curve.blockers)
             drawn.blockers.push_back(b.index);
-        for (const Vec2 &p : {curve.from, curve.to})
+        for (const Vec2 &p : polyline(curve, polyline_accuracy * receiver_size(*setting.scene, curve.receiver)))
             drawn.points.push_back(setting.scene->own.to_own(frame.to_space(p)));
         out->push_back(std::move(drawn));
     }

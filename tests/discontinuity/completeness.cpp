@@ -11,12 +11,6 @@ namespace penumbra {
 
 namespace {
 
-double distance(const Curve &c, const Vec2 &p) {
-    const Vec2 d = c.to - c.from;
-    const double t = std::clamp((p - c.from).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    return (c.from + t * d - p).norm();
-}
-
 std::string text(const VisibleShape &shape) {
     std::string all = "{";
     for (const std::string &corner : shape)
@@ -61,13 +55,15 @@ void CheckedPair::walk_curves(int n_per_curve, Tally &tally) const {
     for (const Curve &c : curves_) {
         if (c.kind == CurveKind::plane)
             continue;
-        const Vec2 along = c.to - c.from, across = Vec2(-along.y(), along.x()).normalized();
         for (int k = 0; k < n_per_curve; ++k) {
-            const Vec2 x = c.from + (k + 0.5) / n_per_curve * along;
-            tally.length += along.norm() / n_per_curve;
+            const double t = (k + 0.5) / n_per_curve;
+            const Vec2 x = point_at(c, t);
+            const Vec2 along = point_at(c, t + 0.5 / n_per_curve) - point_at(c, t - 0.5 / n_per_curve);
+            const Vec2 across = Vec2(-along.y(), along.x()).normalized();
+            tally.length += along.norm();
             const VisibleShape left = reader_.at(x + 1e-6 * across), right = reader_.at(x - 1e-6 * across);
             if (left != right)
-                tally.real_length += along.norm() / n_per_curve;
+                tally.real_length += along.norm();
             else if (tally.first_unreal.empty())
                 tally.first_unreal = std::string(name(c.kind)) + " at " + where(x) + " sees " + text(left);
         }
