@@ -62,7 +62,12 @@ bool in_line(const Curve &a, const Curve &b) {
 
 std::vector<Curve> merge_curves(const std::vector<Curve> &curves) {
     std::vector<std::vector<Curve>> lines;
+    std::vector<Curve> merged;
     for (const Curve &curve : curves) {
+        if (!curve.straight()) {
+            merged.push_back(curve);
+            continue;
+        }
         const auto line = std::ranges::find_if(lines, [&](const std::vector<Curve> &members) {
             return members[0].source == curve.source && members[0].receiver == curve.receiver &&
                    in_line(members[0], curve);
@@ -72,7 +77,6 @@ std::vector<Curve> merge_curves(const std::vector<Curve> &curves) {
         else
             line->push_back(curve);
     }
-    std::vector<Curve> merged;
     for (std::vector<Curve> &members : lines)
         std::ranges::move(merge_line(std::move(members)), std::back_inserter(merged));
     return merged;

@@ -32,21 +32,19 @@ public:
         std::ranges::sort(grazed_);
         const auto twins = std::ranges::unique(grazed_);
         grazed_.erase(twins.begin(), twins.end());
-        for (const Interval &piece : open_.intervals())
-            if (Vec2(regulus_.foot(piece.high) - regulus_.foot(piece.low)).norm() >= shortest_curve)
-                judge(piece, curves);
+        emit(curves);
     }
 
 private:
+    /// Keeps the pieces between the given ends at whose middle the test holds, each for itself.
     template <class Test>
-    void keep(std::vector<double> &ends, const Test &test) {
+    void keep(const std::vector<double> &ends, const Test &test) {
         for (const double s : ends)
             open_.split(s);
-        IntervalSet kept;
-        for (const Interval &i : open_.intervals())
-            if (test(i.middle()))
-                kept.unite(i);
-        open_ = std::move(kept);
+        const IntervalSet pieces = open_;
+        for (const Interval &i : pieces.intervals())
+            if (!test(i.middle()))
+                open_.subtract(i);
     }
     Interval hull() const { return {open_.intervals().front().low, open_.intervals().back().high}; }
 
@@ -92,22 +90,57 @@ private:
         });
     }
 
+    /// Takes out the lines that cross the facet; where some graze it, cuts between those that do and those that do not.
     void meet(const Facet &facet) {
-        // No corner's side changes over all that is open, and the sides differ: the common case of a facet far away.
         std::vector<double> ends;
         add_sides(facet.corners, ends);
-        bool any = false;
-        keep(ends, [&](double s) {
-            LocalPicture picture(regulus_.line(s), view_.receiver_plane.u);
+        IntervalSet pieces = open_;
+        for (const double s : ends)
+            pieces.split(s);
+        bool grazes = false;
+        for (const Interval &i : pieces.intervals()) {
+            LocalPicture picture(regulus_.line(i.middle()), view_.receiver_plane.u);
             const Meeting meeting = picture.add_blocker(facet);
-            any |= meeting == Meeting::grazed;
-            return meeting != Meeting::pierced;
-        });
-        if (any)
-            grazed_.push_back(&facet);
+            if (meeting == Meeting::pierced)
+                open_.subtract(i);
+            grazes |= meeting == Meeting::grazed;
+        }
+        if (!grazes)
+            return;
+        grazed_.push_back(&facet);
+        for (const double s : ends)
+            open_.split(s);
     }
 
-    void judge(const Interval &piece, std::vector<Curve> &curves) const {
+    bool short_on_receiver(const Interval &i) const {
+        return Vec2(regulus_.foot(i.high) - regulus_.foot(i.low)).norm() < shortest_curve;
+    }
+
+    /// Neighbouring pieces that are real with the same blockers make one arc.
+    void emit(std::vector<Curve> &curves) const {
+        std::optional<std::vector<SurfaceId>> growing;
+        Interval arc;
+        const auto finish = [&] {
+            if (growing && !short_on_receiver(arc))
+                curves.push_back(curve(arc, *growing));
+        };
+        for (const Interval &i : open_.intervals()) {
+            if (short_on_receiver(i))
+                continue;
+            auto blockers = real_blockers(i);
+            if (growing && blockers == growing && (i.low <= arc.high || short_on_receiver({arc.high, i.low}))) {
+                arc.high = i.high;
+                continue;
+            }
+            finish();
+            growing = std::move(blockers);
+            arc = i;
+        }
+        finish();
+    }
+
+    /// What bounds the visible part beside the arc, if the arc is real.
+    std::optional<std::vector<SurfaceId>> real_blockers(const Interval &piece) const {
         const double s = piece.middle(), h = piece.length() / 64;
         const Vec2 along = (regulus_.foot(s + h) - regulus_.foot(s - h)).normalized();
         const PlaneFrame &plane = view_.receiver_plane;
@@ -116,14 +149,16 @@ private:
             picture.add_source(part);
         for (const Facet *facet : grazed_)
             picture.add_blocker(*facet);
-        if (!picture.changes())
-            return;
-        Curve curve{CurveKind::eee, 2, view_.source, view_.receiver, picture.bounding(), Vec2::Zero(), Vec2::Zero(),
+        return picture.changes() ? std::optional(picture.bounding()) : std::nullopt;
+    }
+
+    Curve curve(const Interval &arc, const std::vector<SurfaceId> &blockers) const {
+        Curve curve{CurveKind::eee, 2, view_.source, view_.receiver, blockers, Vec2::Zero(), Vec2::Zero(),
                     Vec3::Zero(), {}};
         for (const SightEdge *edge : edges_)
             curve.touched.push_back({edge->from(), edge->to()});
-        regulus_.set_arc(curve, piece);
-        curves.push_back(std::move(curve));
+        regulus_.set_arc(curve, arc);
+        return curve;
     }
 
     const SourceView &view_;
