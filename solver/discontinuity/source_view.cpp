@@ -79,6 +79,7 @@ public:
         }
         return welded;
     }
+    void add_corner(const Vec3 &corner) { id_of(corner); }
     void add_edge(const Vec3 &a, const Vec3 &b) {
         const std::size_t i = id_of(a), j = id_of(b);
         if (i != j)
@@ -187,6 +188,24 @@ void add_section(Outlines &sections, const Facet &facet, const PlaneFrame &lamp)
     }
 }
 
+/// Where sections cross each other or the source's border: corners of what the source shows, in its plane.
+void add_crossings(Outlines &sections, const std::vector<SightEdge> &source_edges, const PlaneFrame &lamp) {
+    std::vector<SightEdge> edges = sections.edges();
+    const std::size_t n_sections = edges.size();
+    edges.insert(edges.end(), source_edges.begin(), source_edges.end());
+    for (std::size_t i = 0; i < n_sections; ++i)
+        for (std::size_t j = i + 1; j < edges.size(); ++j) {
+            const Vec2 a = lamp.to_plane(edges[i].a), d = lamp.to_plane(edges[i].b) - a;
+            const Vec2 b = lamp.to_plane(edges[j].a), e = lamp.to_plane(edges[j].b) - b;
+            const double turn = cross(d, e);
+            if (std::abs(turn) <= coincidence * d.norm() * e.norm())
+                continue;
+            const double s = cross(b - a, e) / turn, t = cross(b - a, d) / turn;
+            if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
+                sections.add_corner(lamp.to_space(a + s * d));
+        }
+}
+
 /// Whether the edge between two facets is a fold, not a silhouette, for all lines of sight that touch it: these pass
 /// from the one side of a facet's plane to the other, and a fold is seen from the sides of which one is inside.
 bool always_fold(const SightEdge &edge, const std::vector<Facet> &facets, std::span<const Vec3> receiver,
@@ -272,6 +291,7 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
         add_facet(view.facets, source, clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal));
         add_section(sections, view.facets.back(), lamp.frame);
     }
+    add_crossings(sections, view.source_edges, lamp.frame);
     for (const Vec3 &corner : outlines.corners())
         if (lamp.frame.height(corner) > coincidence && wall.frame.height(corner) > coincidence &&
             !shaft.misses(std::span(&corner, 1)))
