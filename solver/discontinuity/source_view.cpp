@@ -146,6 +146,10 @@ std::vector<Vec3> clip_to_front(std::vector<Vec3> polygon, const Vec3 &origin, c
     return front;
 }
 
+bool share_facet(std::span<const std::size_t> a, std::span<const std::size_t> b) {
+    return std::ranges::any_of(a, [&](std::size_t f) { return std::ranges::binary_search(b, f); });
+}
+
 bool touches(const Facet &facet, const Vec3 &p) {
     if ((p - facet.centre).squaredNorm() > (facet.radius + coincidence) * (facet.radius + coincidence) ||
         std::abs((p - facet.corners[0]).dot(facet.normal)) > coincidence + facet.bend)
@@ -303,7 +307,8 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
         for (SightEdge &edge : from->edges()) {
             edge.part = from == &outlines ? overlap(part_in_front(edge, lamp.frame), part_in_front(edge, wall.frame))
                                           : part_in_front(edge, wall.frame);
-            if (!edge.part.empty() && !shaft.misses(std::array{edge.from(), edge.to()}))
+            // A section lies in the shaft's end: rounding decides whether it misses the shaft.
+            if (!edge.part.empty() && (from == &sections || !shaft.misses(std::array{edge.from(), edge.to()})))
                 view.blocker_edges.push_back(edge);
         }
     link_facets(view, view.blocker_edges, view.blocker_corners);

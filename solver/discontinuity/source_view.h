@@ -62,6 +62,10 @@ struct SourceView {
 /// none of the receiver in front of the source, or one blocker hides all of the one from all of the other.
 SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers);
 
+/// Whether two ascending lists have a facet in common: then both lie in its plane, however welding bent it, and what
+/// they throw together is the plane's curve.
+bool share_facet(std::span<const std::size_t> a, std::span<const std::size_t> b);
+
 /// Whether p lies in the facet or on its border, to within `coincidence`.
 bool touches(const Facet &facet, const Vec3 &p);
 

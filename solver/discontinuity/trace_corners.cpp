@@ -159,6 +159,8 @@ void trace_wedge(const Scene &scene, const SourceView &view, const Wedge &wedge,
 
 void trace_corners(const Scene &scene, const SourceView &view, std::vector<Curve> &curves) {
     const auto trace = [&](const SightCorner &corner, const SightEdge &edge) {
+        if (share_facet(corner.facets, edge.facets))
+            return;
         if (in_plane(view.source_plane, corner.at) && in_plane(view.source_plane, edge.a) &&
             in_plane(view.source_plane, edge.b))
             return;

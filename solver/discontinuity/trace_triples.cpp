@@ -170,6 +170,9 @@ private:
 };
 
 void trace(const Scene &scene, const SourceView &view, const Triple &edges, std::vector<Curve> &curves) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (share_facet(edges[k]->facets, edges[(k + 1) % 3]->facets))
+            return;
     const auto regulus = Regulus::make(edges, view.receiver_plane);
     if (!regulus)
         return;

@@ -68,6 +68,7 @@ TEST(Completeness, SlantedEdge) { expect_complete(check_scene(open_scene("slante
 TEST(Completeness, Figure4) { expect_complete(check_scene(open_scene("figure-4"), 20)); }
 TEST(Completeness, Stairs) { expect_complete(check_scene(open_scene("stairs"), 10)); }
 TEST(Completeness, CornellBox) { expect_complete(check_scene(open_scene("cornell-box"), 8)); }
+TEST(Completeness, SkewBlockers) { expect_complete(check_scene(open_scene("skew-blockers"), 20)); }
 TEST(Completeness, BoxOnFloor) { expect_complete(check_scene(open_scene("box-on-floor"), 20)); }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "discontinuity/trace_curves.h"
 
+#include <cstdlib>
 #include <gtest/gtest.h>
 
 namespace penumbra {
@@ -89,6 +90,26 @@ TEST(Completeness, LightThroughTheFloorAndABox) {
         text.face({centre - u - v, centre + u - v, centre + u + v, centre - u + v}, "lamp");
         add_box(text, random, random.in({-0.9, -0.4, 0.2}, {0.2, 0.4, 0.5}), true);
         tally += check_scene(text.scene(), 6, seed);
+    }
+    expect_complete(tally);
+}
+
+/// Up to six free polygons and three boxes, which pass through each other, the floor and the lamp's plane as they come.
+/// PENUMBRA_RANDOM_SCENES in the environment asks for more of them than a quick run takes.
+TEST(Completeness, ManyBlockers) {
+    const char *asked = std::getenv("PENUMBRA_RANDOM_SCENES");
+    const int n_scenes = asked ? std::atoi(asked) : 20;
+    Tally tally;
+    for (int seed = 0; seed < n_scenes; ++seed) {
+        Random random(static_cast<std::uint32_t>(seed));
+        ObjText text = turned_room(random);
+        for (int i = 0; i < 1 + seed % 6; ++i)
+            add_quad(text, random, random.in({-0.9, -0.9, 0.4}, {0.9, 0.9, 1.6}));
+        for (int i = 0; i < seed % 4; ++i) {
+            const Vec3 centre = random.in({-1, -1, 0.2}, {1, 1, 0.9});
+            add_box(text, random, centre, random.in(0, 1) < 0.5);
+        }
+        tally += check_scene(text.scene(), 20);
     }
     expect_complete(tally);
 }
