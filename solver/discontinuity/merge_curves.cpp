@@ -4,6 +4,7 @@
 #include "discontinuity/receiver_line.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <tuple>
@@ -107,12 +108,15 @@ struct Collinear {
     }
 };
 
-/// Whether the arcs have their ends and their middles in common: a conic is determined by these and the chord's
-/// direction at the middle, which is the same in both.
+/// Whether the arcs have five points in common, which determine a conic: both ends have weight 1, so that equal arcs have
+/// equal points at equal parameters, or at opposite ones.
 bool repeats(const Curve &a, const Curve &b) {
-    const auto near = [](const Vec2 &p, const Vec2 &q) { return (p - q).norm() <= 2 * coincidence; };
-    return same_pair(a, b) && near(point_at(a, 0.5), point_at(b, 0.5)) &&
-           ((near(a.from, b.from) && near(a.to, b.to)) || (near(a.from, b.to) && near(a.to, b.from)));
+    const auto same_points = [&](bool reversed) {
+        return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double t) {
+            return (point_at(a, t) - point_at(b, reversed ? 1 - t : t)).norm() <= 2 * coincidence;
+        });
+    };
+    return same_pair(a, b) && (same_points(false) || same_points(true));
 }
 
 void add_arc(const Curve &arc, std::vector<Curve> &arcs) {

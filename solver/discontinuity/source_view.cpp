@@ -1,6 +1,9 @@
 #include "discontinuity/source_view.h"
 
+#include "visibility/shaft.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -67,22 +70,25 @@ public:
         std::vector<Vec3> welded;
         for (const Vec3 &c : outline) {
             ids.push_back(id_of(c));
-            welded.push_back(corners_[ids.back()].at);
+            welded.push_back(corners_[ids.back()]);
         }
         for (std::size_t i = 0; i < ids.size(); ++i) {
             const std::size_t a = ids[i], b = ids[(i + 1) % ids.size()];
-            if (a != b && edges_.insert(std::minmax(a, b)).second) {
-                corners_[a].neighbours.push_back(corners_[b].at);
-                corners_[b].neighbours.push_back(corners_[a].at);
-            }
+            if (a != b)
+                edges_.insert(std::minmax(a, b));
         }
         return welded;
     }
-    const std::vector<SightCorner> &corners() const { return corners_; }
+    void add_edge(const Vec3 &a, const Vec3 &b) {
+        const std::size_t i = id_of(a), j = id_of(b);
+        if (i != j)
+            edges_.insert(std::minmax(i, j));
+    }
+    const std::vector<Vec3> &corners() const { return corners_; }
     std::vector<SightEdge> edges() const {
         std::vector<SightEdge> all;
         for (const auto &[a, b] : edges_)
-            all.push_back({corners_[a].at, corners_[b].at, {0, 1}});
+            all.push_back({corners_[a], corners_[b], {0, 1}, {}});
         return all;
     }
 
@@ -92,19 +98,19 @@ private:
         const double key = corner.dot(Vec3(0.5377, 0.2231, 0.8132));
         for (auto near = ids_.lower_bound(key - 2 * tolerance_);
              near != ids_.end() && near->first <= key + 2 * tolerance_; ++near)
-            if ((corners_[near->second].at - corner).norm() <= 2 * tolerance_)
+            if ((corners_[near->second] - corner).norm() <= 2 * tolerance_)
                 return near->second;
         Vec3 at = corner;
         for (const PlaneFrame &plane : planes_)
             if (std::abs(plane.height(at)) <= tolerance_)
                 at -= plane.height(at) * plane.normal;
         ids_.emplace(key, corners_.size());
-        corners_.push_back({at, {}});
+        corners_.push_back(at);
         return corners_.size() - 1;
     }
     double tolerance_;
     std::vector<PlaneFrame> planes_;
-    std::vector<SightCorner> corners_;
+    std::vector<Vec3> corners_;
     std::multimap<double, std::size_t> ids_;
     std::set<std::pair<std::size_t, std::size_t>> edges_;
 };
@@ -153,6 +159,75 @@ bool touches(const Facet &facet, const Vec3 &p) {
     return true;
 }
 
+namespace {
+
+void add_source(SourceView &view, const Surface &lamp, const PlaneFrame &wall) {
+    for (const Polygon &part : lamp.parts)
+        add_facet(view.source_parts, view.source,
+                  clip_to_front(part_in_space(lamp, lamp.corners, part), wall.origin, wall.normal));
+    Outlines outline(coincidence, {});
+    outline.add(lamp.corners);
+    for (const Vec3 &corner : outline.corners())
+        if (wall.height(corner) > coincidence)
+            view.source_corners.push_back({corner, {}});
+    for (SightEdge &edge : outline.edges()) {
+        edge.part = part_in_front(edge, wall);
+        if (!edge.part.empty())
+            view.source_edges.push_back(edge);
+    }
+}
+
+/// Where the facet's border runs in the source's plane.
+void add_section(Outlines &sections, const Facet &facet, const PlaneFrame &lamp) {
+    const std::size_t n = facet.corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 &a = facet.corners[i], &b = facet.corners[(i + 1) % n];
+        if (std::abs(lamp.height(a)) <= coincidence && std::abs(lamp.height(b)) <= coincidence)
+            sections.add_edge(a, b);
+    }
+}
+
+/// Whether the edge between two facets is a fold, not a silhouette, for all lines of sight that touch it: these pass
+/// from the one side of a facet's plane to the other, and a fold is seen from the sides of which one is inside.
+bool always_fold(const SightEdge &edge, const std::vector<Facet> &facets, std::span<const Vec3> receiver,
+                 std::span<const Vec3> source) {
+    if (edge.facets.size() != 2)
+        return false;
+    const Vec3 along = (edge.b - edge.a).normalized();
+    std::array<Vec3, 2> across;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Facet &facet = facets[edge.facets[k]];
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3 &c : facet.corners)
+            middle += c / static_cast<double>(facet.corners.size());
+        const Vec3 inwards = (middle - edge.a) - (middle - edge.a).dot(along) * along;
+        across[k] = along.cross(inwards).normalized();
+    }
+    const auto side = [&](std::span<const Vec3> points, const Vec3 &normal) {
+        constexpr double clear = 2 * weld;
+        const auto height = [&](const Vec3 &p) { return (p - edge.a).dot(normal); };
+        if (std::ranges::all_of(points, [&](const Vec3 &p) { return height(p) > clear; }))
+            return 1;
+        return std::ranges::all_of(points, [&](const Vec3 &p) { return height(p) < -clear; }) ? -1 : 0;
+    };
+    return side(receiver, across[0]) * side(receiver, across[1]) < 0 ||
+           side(source, across[0]) * side(source, across[1]) < 0;
+}
+
+void link_facets(SourceView &view, std::vector<SightEdge> &edges, std::vector<SightCorner> &corners) {
+    for (std::size_t f = 0; f < view.facets.size(); ++f) {
+        const Facet &facet = view.facets[f];
+        for (SightCorner &corner : corners)
+            if (touches(facet, corner.at))
+                corner.facets.push_back(f);
+        for (SightEdge &edge : edges)
+            if (touches(facet, edge.point(edge.part.middle())) && touches(facet, edge.point(0.9 * edge.part.low + 0.1 * edge.part.high)))
+                edge.facets.push_back(f);
+    }
+}
+
+} // namespace
+
 SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers) {
     SourceView view;
     view.source = source;
@@ -162,28 +237,14 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
     view.receiver_plane = wall.frame;
     if (source == receiver || behind(wall.corners, lamp.frame) || behind(lamp.corners, wall.frame))
         return view;
+    add_source(view, lamp, wall.frame);
 
-    for (const Polygon &part : lamp.parts) {
-        std::vector<Vec3> corners =
-            clip_to_front(part_in_space(lamp, lamp.corners, part), wall.frame.origin, wall.frame.normal);
-        add_facet(view.source_parts, source, std::move(corners));
-    }
-    Outlines lamp_outline(coincidence, {});
-    lamp_outline.add(lamp.corners);
-    for (const SightCorner &corner : lamp_outline.corners())
-        if (wall.frame.height(corner.at) > coincidence)
-            view.source_corners.push_back(corner);
-    for (SightEdge &edge : lamp_outline.edges()) {
-        edge.part = part_in_front(edge, wall.frame);
-        if (!edge.part.empty())
-            view.source_edges.push_back(edge);
-    }
-
-    Outlines outlines(weld, {lamp.frame, wall.frame});
+    const Shaft shaft(wall.corners, wall.frame, lamp.corners, lamp.frame);
+    Outlines outlines(weld, {lamp.frame, wall.frame}), sections(coincidence, {});
     for (const SurfaceId id : blockers) {
         const Surface &blocker = scene.surface(id);
         if (id == source || id == receiver || behind(blocker.corners, lamp.frame, weld) ||
-            behind(blocker.corners, wall.frame, weld))
+            behind(blocker.corners, wall.frame, weld) || shaft.misses(blocker.corners))
             continue;
         const std::vector<Vec3> outline = outlines.add(blocker.corners);
         for (const Polygon &part : blocker.parts) {
@@ -192,17 +253,45 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
                 corners = clip_to_front(std::move(corners), lamp.frame.origin, lamp.frame.normal);
             if (corners.size() > 2)
                 corners = clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal);
+            const std::size_t before = view.facets.size();
             add_facet(view.facets, id, std::move(corners));
+            if (view.facets.size() == before)
+                continue;
+            const Facet &facet = view.facets.back();
+            if (spans_shaft(facet.corners, plane_frame(facet.corners), wall.corners, lamp.corners)) {
+                view.source_parts.clear();
+                return view;
+            }
+            add_section(sections, facet, lamp.frame);
         }
     }
-    for (const SightCorner &corner : outlines.corners())
-        if (lamp.frame.height(corner.at) > coincidence && wall.frame.height(corner.at) > coincidence)
-            view.blocker_corners.push_back(corner);
-    for (SightEdge &edge : outlines.edges()) {
-        edge.part = overlap(part_in_front(edge, lamp.frame), part_in_front(edge, wall.frame));
-        if (!edge.part.empty())
-            view.blocker_edges.push_back(edge);
+    for (const Polygon &cover : lamp.covers) {
+        std::vector<Vec3> corners;
+        for (const Vec2 &p : cover)
+            corners.push_back(lamp.frame.to_space(p));
+        add_facet(view.facets, source, clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal));
+        add_section(sections, view.facets.back(), lamp.frame);
     }
+    for (const Vec3 &corner : outlines.corners())
+        if (lamp.frame.height(corner) > coincidence && wall.frame.height(corner) > coincidence &&
+            !shaft.misses(std::span(&corner, 1)))
+            view.blocker_corners.push_back({corner, {}});
+    for (const Vec3 &corner : sections.corners())
+        if (wall.frame.height(corner) > coincidence)
+            view.blocker_corners.push_back({corner, {}});
+    for (const Outlines *from : {&outlines, &sections})
+        for (SightEdge &edge : from->edges()) {
+            edge.part = from == &outlines ? overlap(part_in_front(edge, lamp.frame), part_in_front(edge, wall.frame))
+                                          : part_in_front(edge, wall.frame);
+            if (!edge.part.empty() && !shaft.misses(std::array{edge.from(), edge.to()}))
+                view.blocker_edges.push_back(edge);
+        }
+    link_facets(view, view.blocker_edges, view.blocker_corners);
+    std::vector<SightEdge> no_edges;
+    link_facets(view, no_edges, view.source_corners);
+    std::erase_if(view.blocker_edges, [&](const SightEdge &edge) {
+        return always_fold(edge, view.facets, wall.corners, lamp.corners);
+    });
     return view;
 }
 

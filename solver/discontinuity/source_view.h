@@ -25,17 +25,18 @@ struct Facet {
 /// An edge with its full end points (sides are decided with these) and the part of it that counts.
 struct SightEdge {
     Vec3 a, b;
-    Interval part; ///< of a + t (b - a), within [0, 1]
+    Interval part;                   ///< of a + t (b - a), within [0, 1]
+    std::vector<std::size_t> facets; ///< of the blockers, that have the edge on their border
 
     Vec3 point(double t) const { return a + t * (b - a); }
     Vec3 from() const { return point(part.low); }
     Vec3 to() const { return point(part.high); }
 };
 
-/// A corner, and the other ends of the edges that leave it.
+/// A corner, and the facets of blockers that it touches: those that meet there, and any on which it lies.
 struct SightCorner {
     Vec3 at;
-    std::vector<Vec3> neighbours;
+    std::vector<std::size_t> facets; ///< ascending
 };
 
 struct SourceView {
@@ -51,9 +52,14 @@ struct SourceView {
     bool empty() const { return source_parts.empty(); }
 };
 
+/// Edges between two faces that no line of sight can see as a silhouette, because receiver or source lies wholly on
+/// such sides of both, are left out, and so is what keeps out of the convex hull of source and receiver. Where blockers
+/// pass through the source's plane, the corners and edges of the section are among theirs; what covers the source is a
+/// blocker that lies on it.
+///
 /// Collects what `source` and `blockers` (a superset of those that may block; the two surfaces themselves and those in
-/// their planes are left out) show to `receiver`. Empty when no point of the source lies in front of the receiver or
-/// none of the receiver in front of the source.
+/// their planes are left out) show to `receiver`. Empty when no point of the source lies in front of the receiver,
+/// none of the receiver in front of the source, or one blocker hides all of the one from all of the other.
 SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers);
 
 /// Whether p lies in the facet or on its border, to within `coincidence`.

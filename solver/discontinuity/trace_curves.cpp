@@ -6,7 +6,8 @@
 #include "discontinuity/trace_contacts.h"
 #include "discontinuity/trace_horizon.h"
 #include "discontinuity/trace_planes.h"
-#include "discontinuity/trace_wedges.h"
+#include "discontinuity/trace_corners.h"
+#include "discontinuity/trace_triples.h"
 
 #include <Eigen/Geometry>
 
@@ -33,8 +34,8 @@ std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId 
     if (view.empty())
         return {};
     std::vector<Curve> curves;
-    trace_source_corners(scene, view, curves);
-    trace_source_edges(scene, view, curves);
+    trace_corners(scene, view, curves);
+    trace_triples(scene, view, curves);
     trace_horizon(scene, view, curves);
     trace_planes(scene, view, curves);
     trace_contacts(scene, view, curves);

@@ -193,6 +193,15 @@ TEST(MergeCurves, AnArcThatRepeatsAnotherIsDroppedAndOthersStay) {
     EXPECT_EQ(merged[2].from, other.from);
 }
 
+TEST(MergeCurves, ArcsThatShareEndsAndShoulderOnlyStayApart) {
+    // (from + 2 control + to) / (2 + 2 w) is the circle's shoulder, but w is not the circle's.
+    const double shoulder = std::sqrt(0.5), w = 0.5;
+    Curve other = quarter(1);
+    other.control = {(1 + w) * shoulder - 0.5, (1 + w) * shoulder - 0.5, w};
+    ASSERT_NEAR((point_at(other, 0.5) - point_at(quarter(1), 0.5)).norm(), 0, 1e-15);
+    EXPECT_THAT(merge_curves({quarter(1), other}), SizeIs(2));
+}
+
 TEST(MergeCurves, JoinsPiecesOfManyLinesInAnyOrder) {
     // 200 lines in all directions, each in five touching pieces that come mixed.
     std::vector<Curve> pieces;
