@@ -4,6 +4,9 @@
 #include "discontinuity/receiver_line.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
 #include <tuple>
 
 namespace penumbra {
@@ -60,25 +63,89 @@ bool in_line(const Curve &a, const Curve &b) {
            std::abs(cross(along, other.to - base.from)) <= 2 * coincidence;
 }
 
-std::vector<Curve> merge_curves(const std::vector<Curve> &curves) {
+namespace {
+
+bool same_pair(const Curve &a, const Curve &b) { return a.source == b.source && a.receiver == b.receiver; }
+
+/// Straight curves, those in line with each other together. They are found by a number that depends smoothly on the
+/// line and not on its direction; what the tolerance of in_line leaves open of it grows as a curve gets shorter.
+struct Collinear {
+    static constexpr double short_length = 1e-5; // below it the direction says too little
+    static constexpr double slack = 5e-3; // above 2 coincidence / short_length times the key's slope, about 10
+
     std::vector<std::vector<Curve>> lines;
-    std::vector<Curve> merged;
-    for (const Curve &curve : curves) {
-        if (!curve.straight()) {
-            merged.push_back(curve);
-            continue;
-        }
-        const auto line = std::ranges::find_if(lines, [&](const std::vector<Curve> &members) {
-            return members[0].source == curve.source && members[0].receiver == curve.receiver &&
-                   in_line(members[0], curve);
-        });
-        if (line == lines.end())
-            lines.push_back({curve});
-        else
-            line->push_back(curve);
+    std::multimap<double, std::size_t> by_key;
+    std::vector<std::size_t> short_lines; ///< too short to have a key
+
+    static double key(const Curve &c) {
+        const Vec2 d = (c.to - c.from).normalized(), normal(-d.y(), d.x());
+        const Vec2 foot = normal.dot(c.from) * normal; // of the origin
+        return foot.x() + 0.618 * foot.y() + 0.414 * (d.x() * d.x() - d.y() * d.y()) + 1.464 * d.x() * d.y();
     }
-    for (std::vector<Curve> &members : lines)
+
+    void add(const Curve &curve) {
+        const bool is_short = (curve.to - curve.from).norm() < short_length;
+        std::size_t found = lines.size();
+        const auto consider = [&](std::size_t line) {
+            if (line < found && same_pair(lines[line][0], curve) && in_line(lines[line][0], curve))
+                found = line;
+        };
+        const double k = is_short ? 0 : key(curve);
+        const auto first = is_short ? by_key.begin() : by_key.lower_bound(k - slack);
+        const auto last = is_short ? by_key.end() : by_key.upper_bound(k + slack);
+        for (auto line = first; line != last; ++line)
+            consider(line->second);
+        std::ranges::for_each(short_lines, consider);
+        if (found < lines.size()) {
+            lines[found].push_back(curve);
+            return;
+        }
+        if (is_short)
+            short_lines.push_back(lines.size());
+        else
+            by_key.emplace(k, lines.size());
+        lines.push_back({curve});
+    }
+};
+
+/// Whether the arcs have five points in common, which determine a conic: both ends have weight 1, so that equal arcs have
+/// equal points at equal parameters, or at opposite ones.
+bool repeats(const Curve &a, const Curve &b) {
+    const auto same_points = [&](bool reversed) {
+        return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double t) {
+            return (point_at(a, t) - point_at(b, reversed ? 1 - t : t)).norm() <= 2 * coincidence;
+        });
+    };
+    return same_pair(a, b) && (same_points(false) || same_points(true));
+}
+
+void add_arc(const Curve &arc, std::vector<Curve> &arcs) {
+    const auto twin = std::ranges::find_if(arcs, [&](const Curve &other) { return repeats(arc, other); });
+    if (twin == arcs.end()) {
+        arcs.push_back(arc);
+        return;
+    }
+    std::vector<SurfaceId> blockers;
+    std::ranges::set_union(twin->blockers, arc.blockers, std::back_inserter(blockers));
+    if (arc.order < twin->order)
+        *twin = arc;
+    twin->blockers = std::move(blockers);
+}
+
+} // namespace
+
+std::vector<Curve> merge_curves(const std::vector<Curve> &curves) {
+    Collinear lines;
+    std::vector<Curve> arcs;
+    for (const Curve &curve : curves)
+        if (curve.straight())
+            lines.add(curve);
+        else
+            add_arc(curve, arcs);
+    std::vector<Curve> merged;
+    for (std::vector<Curve> &members : lines.lines)
         std::ranges::move(merge_line(std::move(members)), std::back_inserter(merged));
+    std::ranges::move(arcs, std::back_inserter(merged));
     return merged;
 }
 

@@ -9,8 +9,8 @@ namespace penumbra {
 
 /// Joins curves of one source on one receiver that lie in line and overlap or touch: where the orders differ, the lower
 /// one stays (a jump of the slope hides one of the curvature) and the other keeps the rest of its length; plane curves
-/// give way to VE and EV of the same order. Blockers are united. Deterministic; curves of different pairs and
-/// arcs stay apart.
+/// give way to VE and EV of the same order. Blockers are united. Arcs stay as they are, but one that repeats another is
+/// dropped. Deterministic; curves of different pairs stay apart.
 std::vector<Curve> merge_curves(const std::vector<Curve> &curves);
 
 /// Whether the two segments lie in one line, to within twice the coincidence of points.
