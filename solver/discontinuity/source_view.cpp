@@ -292,8 +292,10 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
         std::vector<Vec3> corners;
         for (const Vec2 &p : cover)
             corners.push_back(lamp.frame.to_space(p));
+        const std::size_t before = view.facets.size();
         add_facet(view.facets, source, clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal));
-        add_section(sections, view.facets.back(), lamp.frame);
+        if (view.facets.size() > before)
+            add_section(sections, view.facets.back(), lamp.frame);
     }
     add_crossings(sections, view.source_edges, lamp.frame);
     for (const Vec3 &corner : outlines.corners())
