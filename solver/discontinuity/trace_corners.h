@@ -16,8 +16,8 @@ namespace penumbra {
 /// aligned with the other edge and both bound what is seen, else 2.
 void trace_corners(const Scene &scene, const SourceView &view, std::vector<Curve> &curves);
 
-/// The same for one wedge, whose lines must meet the segments in `through` in this order of no importance; `corner` are
-/// the facets that touch its apex, ascending.
+/// The same for the lines `candidates` of one wedge. `corner`: the facets that touch its apex, ascending; `first`: those
+/// of its edge, which are met before all others, as they close most lines.
 void trace_wedge(const Scene &scene, const SourceView &view, const Wedge &wedge, Interval candidates, CurveKind kind,
                  std::span<const std::size_t> corner, std::span<const std::size_t> first,
                  const std::vector<TouchedEdge> &touched, std::vector<Curve> &curves);

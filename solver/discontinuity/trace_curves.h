@@ -11,9 +11,9 @@
 namespace penumbra {
 
 /// Curves that light from `source`, past `blockers`, throws on `receiver` (Heckbert 1992; Lischinski, Tampieri &
-/// Greenberg 1992; Drettakis & Fiume 1994): VE, EV, plane and contact, each only where it is real, those that coincide
+/// Greenberg 1992; Drettakis & Fiume 1994): VE, EV, EEE, plane and contact, each only where it is real, those that coincide
 /// merged (merge_curves.h). `blockers` is a superset of the surfaces that may stand between the two; they block from
-/// both sides. Not here yet: events of two blockers seen one behind the other (VE, EV and EEE).
+/// both sides. Not here yet: edges in one plane of whose overlap neither end is seen.
 /// tests/discontinuity checks them, both ways, against changes of the visible part found with no critical surface.
 std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId receiver,
                                 std::span<const SurfaceId> blockers);
