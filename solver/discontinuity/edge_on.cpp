@@ -1,6 +1,6 @@
 #include "discontinuity/edge_on.h"
 
-#include "discontinuity/sweep.h"
+#include "discontinuity/crossing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,19 @@ namespace penumbra {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+
+/// A facet's edge that lies in the plane while the facet stays on one side of it, +1 or -1.
+struct Graze {
+    Vec3 p, q;
+    int side;
+};
+
+/// Whether the grazed edge lies on the line pq.
+bool on_line(const Graze &graze, const Vec3 &p, const Vec3 &q) {
+    const Vec3 direction = (q - p).normalized();
+    const auto off = [&](const Vec3 &x) { return direction.cross(x - p).norm(); };
+    return off(graze.p) <= 2 * coincidence && off(graze.q) <= 2 * coincidence;
+}
 
 /// Distance along the ray, in units of the direction, at which it first meets the figure; infinite when it does not.
 double first_hit(const Polygon &figure, const Vec2 &origin, const Vec2 &direction) {
@@ -112,7 +125,7 @@ EdgeOnScene edge_on_scene(const SourceView &view, const Wedge &plane, int front)
     for (const Facet &part : view.source_parts)
         if (const Crossing c = cross_facet(plane, part); c.through() || c.along_edge())
             scene.targets.push_back(flattened(plane, {c.p, c.q}));
-    Sweep bordering;
+    std::vector<Graze> bordering;
     for (const Facet &facet : view.facets) {
         if (std::abs(plane.height(facet.centre)) > facet.radius + coincidence)
             continue;
@@ -120,10 +133,10 @@ EdgeOnScene edge_on_scene(const SourceView &view, const Wedge &plane, int front)
         if (c.through() || (c.along_edge() && (c.left ? 1 : -1) == front))
             scene.blockers.push_back(flattened(plane, {c.p, c.q}));
         else if (c.along_edge())
-            bordering.grazes.push_back({{}, c.p, c.q, c.left ? 1 : -1, facet.surface});
+            bordering.push_back({c.p, c.q, c.left ? 1 : -1});
     }
-    for (const Graze &one : bordering.grazes)
-        for (const Graze &other : bordering.grazes) {
+    for (const Graze &one : bordering)
+        for (const Graze &other : bordering) {
             if (one.side <= other.side || !on_line(one, other.p, other.q))
                 continue;
             const Vec3 direction = (one.q - one.p).normalized();

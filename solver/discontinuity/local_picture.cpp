@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace penumbra {
 
@@ -99,22 +100,31 @@ Meeting LocalPicture::meet_edge_on(const Facet &facet, Figure &figure) {
     return Meeting::grazed;
 }
 
-bool LocalPicture::visible(const Vec2 &at, const Vec2 &towards, double side) const {
+template <class Depth> bool LocalPicture::sees(double side, const Depth &depth) const {
+    const auto inside = [&](const Figure &figure) {
+        for (int k = 0; k < figure.n_borders; ++k) {
+            const Border &border = figure.borders[static_cast<std::size_t>(k)];
+            if (border.inside * (figure.strip ? side : 1.0) * depth(lines_[border.line]) <= 0)
+                return false;
+        }
+        return true;
+    };
     bool lit = false;
     for (const Figure &figure : figures_) {
-        bool inside = true;
-        for (int k = 0; k < figure.n_borders && inside; ++k) {
-            const Border &border = figure.borders[static_cast<std::size_t>(k)];
-            const Line &line = lines_[border.line];
-            const double depth = cross(line.along, at - place(line, side));
-            const double sense = border.inside * (figure.strip ? side : 1.0);
-            inside = sense * (std::abs(depth) > slight ? depth : cross(line.along, towards)) > 0;
-        }
-        if (inside && !figure.source)
+        if (!inside(figure))
+            continue;
+        if (!figure.source)
             return false;
-        lit |= inside && figure.source;
+        lit = true;
     }
     return lit;
+}
+
+bool LocalPicture::sees_beside(const Vec2 &at, const Vec2 &towards, double side) const {
+    return sees(side, [&](const Line &line) {
+        const double depth = cross(line.along, at - place(line, side));
+        return std::abs(depth) > slight ? depth : cross(line.along, towards);
+    });
 }
 
 bool LocalPicture::is_corner(const Vec2 &at, double side) const {
@@ -127,23 +137,23 @@ bool LocalPicture::is_corner(const Vec2 &at, double side) const {
     std::ranges::sort(angles);
     angles.push_back(angles.front() + 2 * std::numbers::pi);
     double seen = 0;
-    int n_seen = 0, n_hidden = 0, n_changes = 0;
-    bool first = false, previous = false;
+    int n_changes = 0;
+    std::optional<bool> first;
+    bool previous = false;
     for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
         if (angles[i + 1] - angles[i] < slight)
             continue;
         const double angle = (angles[i] + angles[i + 1]) / 2;
-        const bool sees = visible(at, Vec2(std::cos(angle), std::sin(angle)), side);
-        if (n_seen + n_hidden == 0)
-            first = sees;
-        else
+        const bool sees = sees_beside(at, Vec2(std::cos(angle), std::sin(angle)), side);
+        if (first)
             n_changes += sees != previous;
+        else
+            first = sees;
         previous = sees;
-        ++(sees ? n_seen : n_hidden);
         if (sees)
             seen += angles[i + 1] - angles[i];
     }
-    n_changes += first != previous;
+    n_changes += first.value_or(previous) != previous;
     return n_changes > 0 && !(n_changes == 2 && std::abs(seen - std::numbers::pi) < 10 * slight);
 }
 
@@ -181,23 +191,11 @@ double LocalPicture::seen_far_away(const Vec2 &towards, double side) const {
             places.push_back(place(line, side).dot(across));
     std::ranges::sort(places);
     const auto seen = [&](double offset) {
-        bool lit = false;
-        for (const Figure &figure : figures_) {
-            bool inside = true;
-            for (int k = 0; k < figure.n_borders && inside; ++k) {
-                const Border &border = figure.borders[static_cast<std::size_t>(k)];
-                const Line &line = lines_[border.line];
-                const double away = cross(line.along, towards);
-                const double depth = std::abs(away) > slight
-                                         ? away
-                                         : line.along.dot(towards) * (offset - place(line, side).dot(across));
-                inside = border.inside * (figure.strip ? side : 1.0) * depth > 0;
-            }
-            if (inside && !figure.source)
-                return false;
-            lit |= inside && figure.source;
-        }
-        return lit;
+        return sees(side, [&](const Line &line) {
+            const double away = cross(line.along, towards);
+            return std::abs(away) > slight ? away
+                                           : line.along.dot(towards) * (offset - place(line, side).dot(across));
+        });
     };
     double sum = 0;
     for (std::size_t i = 0; i + 1 < places.size(); ++i)

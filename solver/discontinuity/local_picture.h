@@ -57,7 +57,9 @@ private:
     Meeting meet_edge_on(const Facet &facet, Figure &figure);
     void add_border(Figure &figure, double nearness, const Vec2 &along, double inside);
     Vec2 place(const Line &line, double side) const { return side * line.nearness / nearest_ * displacement_; }
-    bool visible(const Vec2 &at, const Vec2 &towards, double side) const;
+    /// Whether the source is seen where lines lie on the given sides: depth(line) is positive on a line's left.
+    template <class Depth> bool sees(double side, const Depth &depth) const;
+    bool sees_beside(const Vec2 &at, const Vec2 &towards, double side) const;
     bool is_corner(const Vec2 &at, double side) const;
     Shape shape(double side) const;
     double seen_far_away(const Vec2 &towards, double side) const;

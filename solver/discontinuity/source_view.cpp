@@ -1,12 +1,11 @@
 #include "discontinuity/source_view.h"
 
+#include "discontinuity/outlines.h"
 #include "visibility/shaft.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 #include <utility>
 
 namespace penumbra {
@@ -56,65 +55,6 @@ Interval part_in_front(const SightEdge &edge, const PlaneFrame &plane) {
     const double t = a / (a - b);
     return a < b ? Interval{t, 1} : Interval{0, t};
 }
-
-/// Corners and edges of several surfaces, those that coincide taken once: neighbouring faces agree on a corner only to
-/// within rounding.
-class Outlines {
-public:
-    /// Corners within `tolerance` of one another become one, those within it of a plane are moved into the plane.
-    Outlines(double tolerance, std::vector<PlaneFrame> planes) : tolerance_(tolerance), planes_(std::move(planes)) {}
-
-    /// Returns the outline's corners as they are after welding.
-    std::vector<Vec3> add(std::span<const Vec3> outline) {
-        std::vector<std::size_t> ids;
-        std::vector<Vec3> welded;
-        for (const Vec3 &c : outline) {
-            ids.push_back(id_of(c));
-            welded.push_back(corners_[ids.back()]);
-        }
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            const std::size_t a = ids[i], b = ids[(i + 1) % ids.size()];
-            if (a != b)
-                edges_.insert(std::minmax(a, b));
-        }
-        return welded;
-    }
-    void add_corner(const Vec3 &corner) { id_of(corner); }
-    void add_edge(const Vec3 &a, const Vec3 &b) {
-        const std::size_t i = id_of(a), j = id_of(b);
-        if (i != j)
-            edges_.insert(std::minmax(i, j));
-    }
-    const std::vector<Vec3> &corners() const { return corners_; }
-    std::vector<SightEdge> edges() const {
-        std::vector<SightEdge> all;
-        for (const auto &[a, b] : edges_)
-            all.push_back({corners_[a], corners_[b], {0, 1}, {}});
-        return all;
-    }
-
-private:
-    std::size_t id_of(const Vec3 &corner) {
-        // A direction that no building is aligned with: hardly any two corners share a key unless they coincide.
-        const double key = corner.dot(Vec3(0.5377, 0.2231, 0.8132));
-        for (auto near = ids_.lower_bound(key - 2 * tolerance_);
-             near != ids_.end() && near->first <= key + 2 * tolerance_; ++near)
-            if ((corners_[near->second] - corner).norm() <= 2 * tolerance_)
-                return near->second;
-        Vec3 at = corner;
-        for (const PlaneFrame &plane : planes_)
-            if (std::abs(plane.height(at)) <= tolerance_)
-                at -= plane.height(at) * plane.normal;
-        ids_.emplace(key, corners_.size());
-        corners_.push_back(at);
-        return corners_.size() - 1;
-    }
-    double tolerance_;
-    std::vector<PlaneFrame> planes_;
-    std::vector<Vec3> corners_;
-    std::multimap<double, std::size_t> ids_;
-    std::set<std::pair<std::size_t, std::size_t>> edges_;
-};
 
 bool behind(std::span<const Vec3> corners, const PlaneFrame &plane, double tolerance = coincidence) {
     return std::ranges::all_of(corners, [&](const Vec3 &c) { return plane.height(c) <= tolerance; });
@@ -175,7 +115,8 @@ void add_source(SourceView &view, const Surface &lamp, const PlaneFrame &wall) {
     for (const Vec3 &corner : outline.corners())
         if (wall.height(corner) > coincidence)
             view.source_corners.push_back({corner, {}});
-    for (SightEdge &edge : outline.edges()) {
+    for (const auto &[a, b] : outline.edges()) {
+        SightEdge edge{a, b, {0, 1}, {}};
         edge.part = part_in_front(edge, wall);
         if (!edge.part.empty())
             view.source_edges.push_back(edge);
@@ -194,9 +135,10 @@ void add_section(Outlines &sections, const Facet &facet, const PlaneFrame &lamp)
 
 /// Where sections cross each other or the source's border: corners of what the source shows, in its plane.
 void add_crossings(Outlines &sections, const std::vector<SightEdge> &source_edges, const PlaneFrame &lamp) {
-    std::vector<SightEdge> edges = sections.edges();
+    std::vector<OutlineEdge> edges = sections.edges();
     const std::size_t n_sections = edges.size();
-    edges.insert(edges.end(), source_edges.begin(), source_edges.end());
+    for (const SightEdge &edge : source_edges)
+        edges.push_back({edge.a, edge.b});
     for (std::size_t i = 0; i < n_sections; ++i)
         for (std::size_t j = i + 1; j < edges.size(); ++j) {
             const Vec2 a = lamp.to_plane(edges[i].a), d = lamp.to_plane(edges[i].b) - a;
@@ -306,7 +248,8 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
         if (wall.frame.height(corner) > coincidence)
             view.blocker_corners.push_back({corner, {}});
     for (const Outlines *from : {&outlines, &sections})
-        for (SightEdge &edge : from->edges()) {
+        for (const auto &[a, b] : from->edges()) {
+            SightEdge edge{a, b, {0, 1}, {}};
             edge.part = from == &outlines ? overlap(part_in_front(edge, lamp.frame), part_in_front(edge, wall.frame))
                                           : part_in_front(edge, wall.frame);
             // A section lies in the shaft's end: rounding decides whether it misses the shaft.

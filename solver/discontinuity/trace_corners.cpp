@@ -1,11 +1,13 @@
 #include "discontinuity/trace_corners.h"
 
+#include "discontinuity/crossing.h"
 #include "discontinuity/local_picture.h"
 #include "discontinuity/receiver_line.h"
-#include "discontinuity/sweep.h"
+#include "discontinuity/wedge.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace penumbra {
 
@@ -121,8 +123,8 @@ void emit(const SourceView &view, const Wedge &wedge, const RealPart &part, Curv
 
 bool in_plane(const PlaneFrame &plane, const Vec3 &p) { return std::abs(plane.height(p)) <= coincidence; }
 
-} // namespace
-
+/// The lines `candidates` of one wedge. `corner`: the facets that touch its apex, ascending; `first`: those of its edge,
+/// which are met before all others, as they close most lines.
 void trace_wedge(const Scene &scene, const SourceView &view, const Wedge &wedge, Interval candidates, CurveKind kind,
                  std::span<const std::size_t> corner, std::span<const std::size_t> first,
                  const std::vector<TouchedEdge> &touched, std::vector<Curve> &curves) {
@@ -156,6 +158,8 @@ void trace_wedge(const Scene &scene, const SourceView &view, const Wedge &wedge,
     if (growing)
         emit(view, wedge, *growing, kind, touched, curves);
 }
+
+} // namespace
 
 void trace_corners(const Scene &scene, const SourceView &view, std::vector<Curve> &curves) {
     const auto trace = [&](const SightCorner &corner, const SightEdge &edge) {

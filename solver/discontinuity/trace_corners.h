@@ -3,7 +3,6 @@
 
 #include "discontinuity/curve.h"
 #include "discontinuity/source_view.h"
-#include "discontinuity/wedge.h"
 #include "scene/scene.h"
 
 #include <vector>
@@ -15,11 +14,5 @@ namespace penumbra {
 /// and where what is seen about it changes its shape (local_picture.h). Order 1 where an edge through the corner is
 /// aligned with the other edge and both bound what is seen, else 2.
 void trace_corners(const Scene &scene, const SourceView &view, std::vector<Curve> &curves);
-
-/// The same for the lines `candidates` of one wedge. `corner`: the facets that touch its apex, ascending; `first`: those
-/// of its edge, which are met before all others, as they close most lines.
-void trace_wedge(const Scene &scene, const SourceView &view, const Wedge &wedge, Interval candidates, CurveKind kind,
-                 std::span<const std::size_t> corner, std::span<const std::size_t> first,
-                 const std::vector<TouchedEdge> &touched, std::vector<Curve> &curves);
 
 } // namespace penumbra
