@@ -2,11 +2,13 @@
 
 #include "core/parallel.h"
 #include "discontinuity/merge_curves.h"
+#include "discontinuity/sight_cells.h"
 #include "discontinuity/source_view.h"
 #include "discontinuity/trace_contacts.h"
 #include "discontinuity/trace_horizon.h"
 #include "discontinuity/trace_planes.h"
 #include "discontinuity/trace_corners.h"
+#include "discontinuity/trace_edges.h"
 #include "discontinuity/trace_triples.h"
 
 #include <Eigen/Geometry>
@@ -33,12 +35,14 @@ std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId 
     const SourceView view = source_view(scene, source, receiver, blockers);
     if (view.empty())
         return {};
+    const SightCells cells(scene, view);
     std::vector<Curve> curves;
-    trace_corners(scene, view, curves);
-    trace_triples(scene, view, curves);
+    trace_corners(scene, view, cells, curves);
+    trace_edges(scene, view, cells, curves);
+    trace_triples(scene, view, cells, curves);
     trace_horizon(scene, view, curves);
-    trace_planes(scene, view, curves);
-    trace_contacts(scene, view, curves);
+    trace_planes(scene, view, cells, curves);
+    trace_contacts(scene, view, cells, curves);
     return merge_curves(curves);
 }
 
