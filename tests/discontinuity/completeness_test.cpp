@@ -4,6 +4,8 @@
 
 #include "scene/bundled.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace penumbra {
@@ -64,11 +66,33 @@ TEST(Completeness, ConcaveLampAndConcaveBlocker) {
     expect_complete(check_scene(text.scene(), 40));
 }
 
+/// Three blockers' edges alone: none of them lies in the source's plane.
+bool is_of_three_blocker_edges(const Scene &scene, const Curve &curve) {
+    const PlaneFrame &source = scene.surface(curve.source).frame;
+    return curve.kind == CurveKind::eee && std::ranges::none_of(curve.touched, [&](const TouchedEdge &edge) {
+               return std::abs(source.height(edge.a)) < 1e-6 && std::abs(source.height(edge.b)) < 1e-6;
+           });
+}
+
+/// The scene is there for what only three blockers' edges explain: without their curves it is not complete.
+TEST(Completeness, ThreeBlockersNeedTheirThreeEdges) {
+    const Scene scene = open_scene("three-blockers");
+    CheckedPair pair(scene, SurfaceId(1), SurfaceId(0));
+    std::erase_if(pair.curves(), [&](const Curve &c) { return is_of_three_blocker_edges(scene, c); });
+    Tally tally;
+    std::mt19937 random(1);
+    pair.look_for_changes(20, random, tally);
+    EXPECT_LT(tally.n_explained, 0.995 * tally.n_changes);
+}
+
 TEST(Completeness, SlantedEdge) { expect_complete(check_scene(open_scene("slanted-edge"), 20)); }
 TEST(Completeness, Figure4) { expect_complete(check_scene(open_scene("figure-4"), 20)); }
 TEST(Completeness, Stairs) { expect_complete(check_scene(open_scene("stairs"), 10)); }
 TEST(Completeness, CornellBox) { expect_complete(check_scene(open_scene("cornell-box"), 8)); }
 TEST(Completeness, SkewBlockers) { expect_complete(check_scene(open_scene("skew-blockers"), 20)); }
+TEST(Completeness, Pierced) { expect_complete(check_scene(open_scene("pierced"), 10)); }
+TEST(Completeness, ThreeBlockers) { expect_complete(check_scene(open_scene("three-blockers"), 20)); }
+TEST(Completeness, NextRoom) { expect_complete(check_scene(open_scene("next-room"), 20)); }
 TEST(Completeness, BoxOnFloor) { expect_complete(check_scene(open_scene("box-on-floor"), 20)); }
 
 } // namespace
