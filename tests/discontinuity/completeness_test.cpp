@@ -93,6 +93,8 @@ TEST(Completeness, SkewBlockers) { expect_complete(check_scene(open_scene("skew-
 TEST(Completeness, Pierced) { expect_complete(check_scene(open_scene("pierced"), 10)); }
 TEST(Completeness, ThreeBlockers) { expect_complete(check_scene(open_scene("three-blockers"), 20)); }
 TEST(Completeness, NextRoom) { expect_complete(check_scene(open_scene("next-room"), 20)); }
+TEST(Completeness, Table) { expect_complete(check_scene(open_scene("table"), 20)); }
+TEST(Completeness, VenetianBlinds) { expect_complete(check_scene(open_scene("venetian-blinds"), 40)); }
 TEST(Completeness, BoxOnFloor) { expect_complete(check_scene(open_scene("box-on-floor"), 20)); }
 
 } // namespace
