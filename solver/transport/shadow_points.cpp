@@ -3,13 +3,73 @@
 #include "geometry/convex_pieces.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace penumbra {
 
+namespace {
+
+constexpr std::size_t most = 24;
+constexpr double on_plane = 1e-6; // of the unit scene
+
+/// The middle of what of the segment from s to t lies in the convex polygon.
+std::optional<Vec2> middle_inside(const Polygon &convex, const Vec2 &s, const Vec2 &t) {
+    double low = 0, high = 1;
+    for (const HalfPlane &h : half_planes(convex)) {
+        const double vs = h.value(s), vt = h.value(t);
+        if (vs < 0 && vt < 0)
+            return std::nullopt;
+        if (vs < 0)
+            low = std::max(low, vs / (vs - vt));
+        else if (vt < 0)
+            high = std::min(high, vs / (vs - vt));
+    }
+    return low < high ? std::optional<Vec2>(s + (low + high) / 2 * (t - s)) : std::nullopt;
+}
+
+/// Both sides of the lines along which blockers go through p.
+std::vector<Vec2> contact_points(const PlaneFrame &frame, const Polygon &outline, const Blockers &blockers,
+                                 std::span<const PairBlocker> pair) {
+    std::vector<Vec2> found;
+    const double beside = 1e-3 * radius(outline);
+    for (const PairBlocker &b : pair) {
+        const auto &corners = blockers[b.blocker].corners;
+        std::vector<Vec2> ends;
+        bool pierces = false;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
+            const double ha = frame.height(a), hc = frame.height(c);
+            pierces |= ha < -on_plane;
+            if ((ha < 0) != (hc < 0))
+                ends.push_back(frame.to_plane(a + ha / (ha - hc) * (c - a)));
+        }
+        if (!pierces || ends.size() != 2)
+            continue;
+        const auto middle = middle_inside(outline, ends[0], ends[1]);
+        if (!middle)
+            continue;
+        const Vec2 along = (ends[1] - ends[0]).normalized(), across(-along.y(), along.x());
+        for (const Vec2 &at : {Vec2(*middle + beside * across), Vec2(*middle - beside * across)})
+            if (contains(outline, at))
+                found.push_back(at);
+    }
+    return found;
+}
+
+std::vector<Vec2> thinned(std::vector<Vec2> points) {
+    if (points.size() <= most)
+        return points;
+    for (std::size_t i = 0; i < most; ++i)
+        points[i] = points[i * points.size() / most];
+    points.resize(most);
+    return points;
+}
+
+} // namespace
+
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair) {
-    constexpr std::size_t most = 24;
-    constexpr double on_plane = 1e-6; // of the unit scene
     const PlaneFrame &frame = scene.surface(p.surface).frame;
     const Polygon &outline = p.basis.outline();
     std::vector<Vec2> found;
@@ -33,8 +93,6 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
             for (const Vec3 &from : source.corners) {
-                // The middle of what of this edge's shadow falls on the element.
-                double low = 0, high = 1;
                 const double above = frame.height(from);
                 const double ha = above - frame.height(a), hc = above - frame.height(c);
                 if (ha <= 1e-9 || hc <= 1e-9 || frame.height(a) < -on_plane || frame.height(c) < -on_plane)
@@ -44,26 +102,15 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
                     continue;
                 const Vec2 s = frame.to_plane(from + (above / ha) * (a - from));
                 const Vec2 t = frame.to_plane(from + (above / hc) * (c - from));
-                for (const HalfPlane &h : half_planes(outline)) {
-                    const double vs = h.value(s), vt = h.value(t);
-                    if (vs < 0 && vt < 0)
-                        high = -1;
-                    else if (vs < 0)
-                        low = std::max(low, vs / (vs - vt));
-                    else if (vt < 0)
-                        high = std::min(high, vs / (vs - vt));
-                }
-                if (low < high)
-                    add(s + (low + high) / 2 * (t - s));
+                if (const auto inside = middle_inside(outline, s, t))
+                    add(*inside);
             }
         }
     }
-    if (found.size() <= most)
-        return found;
-    std::vector<Vec2> thinned;
-    for (std::size_t i = 0; i < most; ++i)
-        thinned.push_back(found[i * found.size() / most]);
-    return thinned;
+    found = thinned(std::move(found));
+    const std::vector<Vec2> contacts = thinned(contact_points(frame, outline, blockers, pair));
+    found.insert(found.end(), contacts.begin(), contacts.end());
+    return found;
 }
 
 } // namespace penumbra

@@ -4,6 +4,8 @@
 
 #include "scene/bundled.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace penumbra {
@@ -101,6 +103,16 @@ TEST(Completeness, StackedAndTouchingBoxes) {
     expect_complete(check_scene(text.scene(), 40));
 }
 
+/// Where two blockers' edges cross in space, every line of sight past the crossing is an event of its own.
+TEST(Completeness, EdgesThatCross) {
+    ObjText text;
+    text.face({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, "grey");
+    text.face({{-0.5, 0, 2}, {0.1, 0.5, 2.1}, {0.6, -0.1, 2.1}, {0, -0.6, 2}}, "lamp");
+    text.face({{-0.5, 0, 1}, {0.5, 0, 1}, {0.5, 0.6, 1.1}, {-0.5, 0.6, 1.1}}, "black");
+    text.face({{0, -0.5, 0.75}, {0, 0.5, 1.25}, {0.5, 0.6, 1.1}, {0.5, -0.4, 0.6}}, "black");
+    expect_complete(check_scene(text.scene(), 60));
+}
+
 TEST(Completeness, BoxesOnAGrid) {
     Tally tally;
     for (std::uint32_t seed = 1; seed <= 10; ++seed) {
@@ -119,11 +131,35 @@ TEST(Completeness, BoxesOnAGrid) {
     expect_complete(tally);
 }
 
+/// Three blockers' edges alone: none of them lies in the source's plane.
+bool is_of_three_blocker_edges(const Scene &scene, const Curve &curve) {
+    const PlaneFrame &source = scene.surface(curve.source).frame;
+    return curve.kind == CurveKind::eee && std::ranges::none_of(curve.touched, [&](const TouchedEdge &edge) {
+               return std::abs(source.height(edge.a)) < 1e-6 && std::abs(source.height(edge.b)) < 1e-6;
+           });
+}
+
+/// The scene is there for what only three blockers' edges explain: without their curves it is not complete.
+TEST(Completeness, ThreeBlockersNeedTheirThreeEdges) {
+    const Scene scene = open_scene("three-blockers");
+    CheckedPair pair(scene, SurfaceId(1), SurfaceId(0));
+    std::erase_if(pair.curves(), [&](const Curve &c) { return is_of_three_blocker_edges(scene, c); });
+    Tally tally;
+    std::mt19937 random(1);
+    pair.look_for_changes(20, random, tally);
+    EXPECT_LT(tally.n_explained, 0.995 * tally.n_changes);
+}
+
 TEST(Completeness, SlantedEdge) { expect_complete(check_scene(open_scene("slanted-edge"), 20)); }
 TEST(Completeness, Figure4) { expect_complete(check_scene(open_scene("figure-4"), 20)); }
 TEST(Completeness, Stairs) { expect_complete(check_scene(open_scene("stairs"), 10)); }
 TEST(Completeness, CornellBox) { expect_complete(check_scene(open_scene("cornell-box"), 8)); }
 TEST(Completeness, SkewBlockers) { expect_complete(check_scene(open_scene("skew-blockers"), 20)); }
+TEST(Completeness, Pierced) { expect_complete(check_scene(open_scene("pierced"), 10)); }
+TEST(Completeness, ThreeBlockers) { expect_complete(check_scene(open_scene("three-blockers"), 20)); }
+TEST(Completeness, NextRoom) { expect_complete(check_scene(open_scene("next-room"), 20)); }
+TEST(Completeness, Table) { expect_complete(check_scene(open_scene("table"), 20)); }
+TEST(Completeness, VenetianBlinds) { expect_complete(check_scene(open_scene("venetian-blinds"), 40)); }
 TEST(Completeness, BoxOnFloor) { expect_complete(check_scene(open_scene("box-on-floor"), 20)); }
 
 } // namespace
