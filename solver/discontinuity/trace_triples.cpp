@@ -172,12 +172,21 @@ private:
         return picture.changes() ? std::optional(picture.bounding()) : std::nullopt;
     }
 
+    static bool is_flat(const Curve &arc) {
+        const Vec2 along = (arc.to - arc.from).normalized();
+        return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
+            return std::abs(cross(along, point_at(arc, t) - arc.from)) <= coincidence;
+        });
+    }
+
     Curve curve(const Interval &arc, const std::vector<SurfaceId> &blockers) const {
         Curve curve{CurveKind::eee, 2, view_.source, view_.receiver, blockers, Vec2::Zero(), Vec2::Zero(),
                     Vec3::Zero(), {}};
         for (const SightEdge *edge : edges_)
             curve.touched.push_back({edge->from(), edge->to()});
         regulus_.set_arc(curve, arc);
+        if (is_flat(curve)) // then it may lie in line with others
+            curve.control.setZero();
         return curve;
     }
 
