@@ -14,7 +14,9 @@ struct TwoScale {
     Eigen::MatrixXd pull; ///< n_parent x n_child
 };
 
-/// The filters of any child inside its parent, integrated over the child with `n` Gauss points a parameter. A round trip,
+/// Pulls of the planar family are the transposed pushes by the child's share of the area, and their round trips the
+/// identity to rounding for children of any shape. For the parametric one:
+/// the filters of any child inside its parent, integrated over the child with `n` Gauss points a parameter. A round trip,
 /// the sum of pull push over children that tile the parent, is the identity on polynomials of the plane of total degree
 /// below the smaller order; on the rest of a parametric basis it is so for uniform children only.
 TwoScale two_scale(const ElementBasis &parent, const ElementBasis &child, int n = 16);
