@@ -16,4 +16,11 @@ namespace penumbra {
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair);
 
+/// Where a blocker stands on p, T jumps across its edge: the middles of the two parts of p on either side, for every
+/// such edge that passes through p and leaves no sliver (narrower than 0.005 of p's radius). A fit that passes over the
+/// jump fails on one of the two, be it the covered one: leaves must not stay large where a grid leaves only a corner of
+/// them under the blocker.
+std::vector<Vec2> contact_points(const Scene &scene, const Blockers &blockers, const Element &p,
+                                 std::span<const PairBlocker> pair);
+
 } // namespace penumbra

@@ -38,7 +38,8 @@ void fit(const ExactLight &exact, int order, int n, Cell &cell) {
 
 } // namespace
 
-std::vector<Standing> best_quadtree(const ExactLight &exact, const BilinearQuad &root, int order, double target, int n) {
+std::vector<Standing> best_quadtree(const ExactLight &exact, const BilinearQuad &root, int order, double target,
+                                    int n) {
     std::vector<Cell> cells{{root}};
     fit(exact, order, n, cells[0]);
     const double allowed = target * target * cells[0].whole;

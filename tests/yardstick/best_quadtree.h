@@ -16,7 +16,8 @@ struct Standing {
 /// From one patch on, the best L2 fits by polynomials of degree < order in each parameter on the leaves of the quadtree
 /// over the (square) surface, always splitting the leaf with the largest squared error, until the error is at most
 /// `target`. `n` Gauss points a parameter on every piece of a leaf (ExactLight::samples).
-std::vector<Standing> best_quadtree(const ExactLight &exact, const BilinearQuad &root, int order, double target, int n = 6);
+std::vector<Standing> best_quadtree(const ExactLight &exact, const BilinearQuad &root, int order, double target,
+                                    int n = 6);
 
 /// Patches of the first standing whose error is at most this; 0 when there is none.
 int patches_for(const std::vector<Standing> &standings, double error);

@@ -24,9 +24,9 @@ class ExactLight {
 public:
     ExactLight(const Scene &scene, SurfaceId surface);
 
-    /// Samples over a convex polygon that is first split along the edges in contact; every piece gets n x n Gauss points
-    /// of its quads and triangles. Between jumps the light is continuous, with kinks where penumbras begin and end:
-    /// sums over one piece converge as kinks let them (yardstick_test.cpp bounds what is left).
+    /// Samples over a convex polygon that is first split along the edges in contact; every piece gets n x n Gauss
+    /// points of its quads and triangles. Between jumps the light is continuous, with kinks where penumbras begin and
+    /// end: sums over one piece converge as kinks let them (yardstick_test.cpp bounds what is left).
     std::vector<Sample> samples(const Polygon &convex, int n) const;
     SurfaceId surface() const { return surface_; }
 
@@ -37,8 +37,9 @@ private:
     std::vector<std::pair<Vec2, Vec2>> contacts_;
 };
 
-/// ||B_h - B|| / ||B - E|| in L2 over the whole surface and all channels, B_h the solution whose coefficients these are.
-/// Unlike measure/direct.h it counts what is covered, where B is 0: a shadow's sharp edge lies there.
-double relative_error(const ExactLight &exact, const Forest &forest, const Coefficients &radiosity, const Rgb &exitance);
+/// ||B_h - B|| / ||B - E|| in L2 over the whole surface and all channels, B_h the solution whose coefficients these
+/// are. Unlike measure/direct.h it counts what is covered, where B is 0: a shadow's sharp edge lies there.
+double relative_error(const ExactLight &exact, const Forest &forest, const Coefficients &radiosity,
+                      const Rgb &exitance);
 
 } // namespace penumbra::yardstick

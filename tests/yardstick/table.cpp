@@ -40,8 +40,9 @@ int main(int argc, char **argv) {
                 const double error =
                     yardstick::relative_error(exact, state->forest, state->radiosity, scene->exitance(surface));
                 const int yard = yardstick::patches_for(best, error);
-                std::printf("%s %2d %.3f %6d %.6f %6d %.3f %.2f\n", std::string(name(strategy)).c_str(), depth, threshold,
-                            patches, error, yard, yard ? double(patches) / yard : 0.0, solver.counters().seconds);
+                std::printf("%s %2d %.3f %6d %.6f %6d %.3f %.2f\n", std::string(name(strategy)).c_str(), depth,
+                            threshold, patches, error, yard, yard ? double(patches) / yard : 0.0,
+                            solver.counters().seconds);
                 std::fflush(stdout);
             }
 }
