@@ -4,6 +4,7 @@ uniform samplerBuffer coefficients;
 flat in int patch_index;
 flat in int surface_role;
 in vec2 local;
+in vec3 between;
 
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -28,6 +29,8 @@ vec4 legendre(float x) {
 vec3 radiosity(int shading) {
     if (shading == 1)
         return patch_texel(patch_index, 3).rgb;
+    if (shading == 2 && patch_texel(patch_index, 3).w > 0.0)
+        return between;
     vec4 middle = patch_texel(patch_index, 1), tail = patch_texel(patch_index, 2);
     vec2 b = middle.xy, c = tail.xy;
     vec2 p = parameters(b, c, middle.zw - c - b, local);

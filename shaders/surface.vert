@@ -1,12 +1,15 @@
-uniform samplerBuffer vertices; // 2 texels: place in the plane | local coordinates, patch
+uniform samplerBuffer vertices; // 2 texels: place in the plane | local coordinates, patch | value between corners
 
 flat out int patch_index;
 flat out int surface_role;
 out vec2 local;
+out vec3 between;
 
 void main() {
     vec4 place = texelFetch(vertices, 2 * gl_VertexID);
-    patch_index = int(texelFetch(vertices, 2 * gl_VertexID + 1).x);
+    vec4 value = texelFetch(vertices, 2 * gl_VertexID + 1);
+    patch_index = int(value.x);
+    between = value.yzw;
     local = place.zw;
     int surface = int(patch_texel(patch_index, 0).w);
     surface_role = role(surface);

@@ -73,13 +73,11 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
     parser
         .add_option_function<std::string>(
             "--basis",
-            [](const std::string &text) {
-                if (text == "planar")
-                    throw CLI::ValidationError("--basis", "planar is still to come; use parametric");
+            [&o](const std::string &text) {
+                o.basis = text == name(BasisFamily::planar) ? BasisFamily::planar : BasisFamily::parametric;
             },
-            "parametric (default), or planar (still to come)")
-        ->check(CLI::IsMember({"parametric", "planar"}))
-        ->trigger_on_parse();
+            "parametric (the paper's quads, default) or planar (convex polygons of any shape)")
+        ->check(CLI::IsMember({"parametric", "planar"}));
     parser.add_option("--order", o.order, "Polynomials of degree below this in each parameter, 1 to 4")
         ->check(CLI::Range(1, 4))
         ->capture_default_str();

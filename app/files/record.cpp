@@ -71,7 +71,7 @@ std::string to_json(const Record &record) {
         iterations.push_back(iteration(c));
     const Json json = {{"scene", record.scene},
                        {"strategy", name(record.options.strategy)},
-                       {"basis", "parametric"},
+                       {"basis", name(record.options.basis)},
                        {"order", record.options.effective_order()},
                        {"threshold", record.options.threshold},
                        {"tolerance", nullptr},

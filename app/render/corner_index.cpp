@@ -25,10 +25,9 @@ CornerIndex::CornerIndex(const Snapshot &snapshot, std::span<const int> patches)
     extent_ = high - low_;
     slack_ = std::max(1e-8 * extent_.norm(), 1e-300);
     for (const int i : patches) {
-        std::array<int, 4> ids{};
-        for (std::size_t k = 0; k < 4; ++k)
-            ids[k] = merge(snapshot.patches[static_cast<std::size_t>(i)].corners[k]);
-        corners_.push_back(ids);
+        std::vector<int> &ids = corners_.emplace_back();
+        for (const Vec2 &p : snapshot.patches[static_cast<std::size_t>(i)].corners)
+            ids.push_back(merge(p));
     }
     cells_.clear();
     sort_into_bins();

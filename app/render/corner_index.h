@@ -4,7 +4,6 @@
 
 #include "iteration/snapshot.h"
 
-#include <array>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -20,7 +19,7 @@ public:
     int size() const { return static_cast<int>(points_.size()); }
     const Vec2 &point(int corner) const { return points_[static_cast<std::size_t>(corner)]; }
     /// Of the k-th of the patches.
-    const std::array<int, 4> &corners_of(std::size_t k) const { return corners_[k]; }
+    const std::vector<int> &corners_of(std::size_t k) const { return corners_[k]; }
     /// Corners strictly inside the segment between two corners, in order from the first.
     std::vector<int> between(int from, int to) const;
 
@@ -32,7 +31,7 @@ private:
     double slack_ = 0;
     Vec2 low_ = Vec2::Zero(), extent_ = Vec2::Zero();
     std::vector<Vec2> points_;
-    std::vector<std::array<int, 4>> corners_;
+    std::vector<std::vector<int>> corners_;
     std::unordered_map<std::uint64_t, std::vector<int>> cells_; ///< of the size of the slack, for merging
     int n_bins_ = 1;                                            ///< along each axis
     std::vector<int> bin_start_, binned_;

@@ -1,5 +1,6 @@
 #include "render/gpu_snapshot.h"
 
+#include "geometry/bilinear_quad.h"
 #include "render/look.h"
 #include "render/mesh_sides.h"
 #include "render/styles.h"
@@ -35,63 +36,90 @@ std::vector<glm::vec4> surface_texels(const Snapshot &snapshot, const UnitSpace 
     return texels;
 }
 
-/// Mean over the area, by 3x3 Gauss points: exact, the integrand being of degree 4 at most in each parameter.
+/// Mean over the area, by 3x3 Gauss points on quads and triangles: exact, the integrand being of degree 5 at most in each
+/// parameter.
 Rgb mean(const Snapshot &snapshot, const SnapshotPatch &patch) {
     static const double points[] = {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
     static constexpr double weights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-    const auto &c = patch.corners;
     Rgb sum = Rgb::Zero();
     double area = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-            const double u = points[i], v = points[j];
-            const double jacobian = cross((1 - v) * (c[1] - c[0]) + v * (c[2] - c[3]), (1 - u) * (c[3] - c[0]) + u * (c[2] - c[1]));
-            const double w = weights[i] * weights[j] * jacobian;
-            sum += w * radiosity_at(snapshot, patch, u, v);
-            area += w;
-        }
-    return area > 0 ? Rgb(sum / area) : radiosity_at(snapshot, patch, 0.5, 0.5);
+    for (const Polygon &piece : quads_and_triangles(patch.corners)) {
+        const BilinearQuad quad = bilinear_quad(piece);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const double w = weights[i] * weights[j] * quad.jacobian(points[i], points[j]);
+                sum += w * radiosity(snapshot, patch, quad.at(points[i], points[j]));
+                area += w;
+            }
+    }
+    return area > 0 ? Rgb(sum / area) : radiosity(snapshot, patch, patch.corners[0]);
 }
 
 /// Of a patch's local coordinates: its size.
 double unit_of(const SnapshotPatch &patch) {
     double unit = 1e-300;
-    for (const Vec2 &c : patch.corners)
-        unit = std::max(unit, (c - patch.corners[0]).norm());
+    for (const Vec2 &c : patch.quad)
+        unit = std::max(unit, (c - patch.quad[0]).norm());
     return unit;
 }
 
-std::vector<glm::vec4> patch_texels(const Snapshot &snapshot, double size,
-                                    const std::vector<std::array<Rgb, 4>> &corner_values) {
+bool is_box(const SnapshotPatch &patch) {
+    return std::ranges::any_of(patch.quad, [&](const Vec2 &q) {
+        return std::ranges::find(patch.corners, q) == patch.corners.end();
+    });
+}
+
+/// Values at the corners of a patch that is its own quad, between which they are interpolated in its parameters.
+std::array<Rgb, 4> quad_values(const SnapshotPatch &patch, const std::vector<Rgb> &corner_values) {
+    std::array<Rgb, 4> values;
+    values.fill(Rgb::Zero());
+    for (std::size_t k = 0; k < 4; ++k)
+        if (const auto found = std::ranges::find(patch.corners, patch.quad[k]); found != patch.corners.end())
+            values[k] = corner_values[static_cast<std::size_t>(found - patch.corners.begin())];
+    return values;
+}
+
+std::vector<glm::vec4> patch_texels(const Snapshot &snapshot, double size, const MeshSides &mesh) {
     std::vector<glm::vec4> texels;
     texels.reserve(8 * snapshot.patches.size());
     for (std::size_t i = 0; i < snapshot.patches.size(); ++i) {
         const SnapshotPatch &p = snapshot.patches[i];
         const double unit = unit_of(p);
-        const auto local = [&](std::size_t k) { return to_vec2((p.corners[k] - p.corners[0]) / unit); };
-        texels.emplace_back(to_vec2(p.corners[0] / size), static_cast<float>(unit / size), static_cast<float>(p.surface));
+        const auto local = [&](std::size_t k) { return to_vec2((p.quad[k] - p.quad[0]) / unit); };
+        texels.emplace_back(to_vec2(p.quad[0] / size), static_cast<float>(unit / size), static_cast<float>(p.surface));
         texels.emplace_back(local(1), local(2));
         texels.emplace_back(local(3), static_cast<float>(p.order), static_cast<float>(p.first));
-        texels.emplace_back(to_vec3(mean(snapshot, p)), 0.f);
-        for (const Rgb &value : corner_values[i])
+        texels.emplace_back(to_vec3(mean(snapshot, p)), is_box(p) ? 1.f : 0.f);
+        for (const Rgb &value : quad_values(p, mesh.corner_values[i]))
             texels.emplace_back(to_vec3(value), 0.f);
     }
     return texels;
 }
 
 /// Fans from the patches' centres to their borders: also where corners of others lie on a side no triangle is without
-/// area, whose depth would be anything.
-std::vector<glm::vec4> vertex_texels(const Snapshot &snapshot, double size, const std::vector<std::vector<Vec2>> &borders) {
+/// area, whose depth would be anything. With values for shading between corners; at the centre, the corners' mean.
+std::vector<glm::vec4> vertex_texels(const Snapshot &snapshot, double size, const MeshSides &mesh) {
     std::vector<glm::vec4> texels;
     for (std::size_t i = 0; i < snapshot.patches.size(); ++i) {
         const SnapshotPatch &p = snapshot.patches[i];
-        const double unit = unit_of(p);
-        const Vec2 centre = (p.corners[0] + p.corners[1] + p.corners[2] + p.corners[3]) / 4;
-        for (std::size_t k = 0; k < borders[i].size(); ++k)
-            for (const Vec2 &x : {centre, borders[i][k], borders[i][(k + 1) % borders[i].size()]}) {
-                texels.emplace_back(to_vec2(x / size), to_vec2((x - p.corners[0]) / unit));
-                texels.emplace_back(static_cast<float>(i), 0.f, 0.f, 0.f); // exact up to 2^24
-            }
+        const double unit = unit_of(p), n_corners = static_cast<double>(p.corners.size());
+        Vec2 centre = Vec2::Zero();
+        Rgb middle = Rgb::Zero();
+        for (std::size_t k = 0; k < p.corners.size(); ++k) {
+            centre += p.corners[k] / n_corners;
+            middle += mesh.corner_values[i][k] / n_corners;
+        }
+        const auto add = [&](const Vec2 &x, const Rgb &value) {
+            texels.emplace_back(to_vec2(x / size), to_vec2((x - p.quad[0]) / unit));
+            texels.emplace_back(static_cast<float>(i), to_vec3(value)); // exact up to 2^24
+        };
+        const std::vector<Vec2> &border = mesh.borders[i];
+        for (std::size_t k = 0; k < border.size(); ++k) {
+            const std::size_t next = (k + 1) % border.size();
+            add(centre, middle);
+            add(border[k], mesh.border_values[i][k]);
+            add(border[next], mesh.border_values[i][next]);
+        }
     }
     return texels;
 }
@@ -157,8 +185,8 @@ void GpuSnapshot::upload(const Snapshot &snapshot) {
     const MeshSides mesh = mesh_sides(snapshot);
 
     surfaces.upload(surface_texels(snapshot, unit));
-    patches.upload(patch_texels(snapshot, size, mesh.corner_values));
-    std::vector<glm::vec4> texels = vertex_texels(snapshot, size, mesh.borders);
+    patches.upload(patch_texels(snapshot, size, mesh));
+    std::vector<glm::vec4> texels = vertex_texels(snapshot, size, mesh);
     vertices.upload(texels);
     n_vertices = vertices.size() / 2;
     texels.clear();

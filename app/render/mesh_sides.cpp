@@ -8,8 +8,6 @@
 namespace penumbra {
 namespace {
 
-constexpr std::array<std::array<double, 2>, 4> corner_parameters{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-
 struct CornerSum {
     Rgb sum = Rgb::Zero();
     int n = 0;
@@ -32,31 +30,28 @@ void add_surface(const Snapshot &snapshot, int surface, const std::vector<int> &
             piece->second.fresh |= fresh;
         }
     };
+    std::vector<std::vector<int>> borders(patches.size());
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const SnapshotPatch &patch = snapshot.patches[static_cast<std::size_t>(patches[k])];
-        const auto &corners = index.corners_of(k);
-        for (std::size_t side = 0; side < 4; ++side) {
-            const int a = corners[side], b = corners[(side + 1) % 4];
-            const auto value = [&](double t) {
-                const auto &from = corner_parameters[side], &to = corner_parameters[(side + 1) % 4];
-                return radiosity_at(snapshot, patch, from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
-            };
-            const auto add_value = [&](int corner, double t) {
-                CornerSum &s = sums[static_cast<std::size_t>(corner)];
-                s.sum += value(t);
-                ++s.n;
-            };
-            add_value(a, 0);
-            if (a == b) // the apex of a triangle
+        const std::vector<int> &corners = index.corners_of(k);
+        const auto add_value = [&](int corner, const Vec2 &at) {
+            CornerSum &s = sums[static_cast<std::size_t>(corner)];
+            s.sum += radiosity(snapshot, patch, at);
+            ++s.n;
+            borders[k].push_back(corner);
+        };
+        for (std::size_t side = 0; side < corners.size(); ++side) {
+            const std::size_t next = (side + 1) % corners.size();
+            const int a = corners[side], b = corners[next];
+            if (a == b)
                 continue;
-            std::vector<Vec2> &border = mesh.borders[static_cast<std::size_t>(patches[k])];
-            border.push_back(index.point(a));
+            add_value(a, patch.corners[side]);
             int last = a;
             const double length = (index.point(b) - index.point(a)).norm();
             for (const int c : index.between(a, b)) {
-                add_value(c, (index.point(c) - index.point(a)).norm() / length);
+                const double t = (index.point(c) - index.point(a)).norm() / length;
+                add_value(c, patch.corners[side] + t * (patch.corners[next] - patch.corners[side]));
                 add_piece(last, c, patch.sides[side], patch.fresh);
-                border.push_back(index.point(c));
                 last = c;
             }
             add_piece(last, b, patch.sides[side], patch.fresh);
@@ -64,11 +59,19 @@ void add_surface(const Snapshot &snapshot, int surface, const std::vector<int> &
     }
     for (const auto &[ends, piece] : pieces)
         mesh.sides.push_back({surface, index.point(ends.first), index.point(ends.second), piece.kind, piece.fresh});
-    for (std::size_t k = 0; k < patches.size(); ++k)
-        for (std::size_t c = 0; c < 4; ++c) {
-            const CornerSum &s = sums[static_cast<std::size_t>(index.corners_of(k)[c])];
-            mesh.corner_values[static_cast<std::size_t>(patches[k])][c] = s.sum / s.n;
+    const auto mean = [&](int corner) -> Rgb {
+        const CornerSum &s = sums[static_cast<std::size_t>(corner)];
+        return s.sum / s.n;
+    };
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        const auto patch = static_cast<std::size_t>(patches[k]);
+        for (const int corner : index.corners_of(k))
+            mesh.corner_values[patch].push_back(mean(corner));
+        for (const int corner : borders[k]) {
+            mesh.borders[patch].push_back(index.point(corner));
+            mesh.border_values[patch].push_back(mean(corner));
         }
+    }
 }
 
 } // namespace
@@ -80,6 +83,7 @@ MeshSides mesh_sides(const Snapshot &snapshot) {
     MeshSides mesh;
     mesh.borders.resize(snapshot.patches.size());
     mesh.corner_values.resize(snapshot.patches.size());
+    mesh.border_values.resize(snapshot.patches.size());
     for (std::size_t s = 0; s < by_surface.size(); ++s)
         add_surface(snapshot, static_cast<int>(s), by_surface[s], mesh);
     return mesh;

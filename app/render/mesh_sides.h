@@ -4,7 +4,6 @@
 
 #include "iteration/snapshot.h"
 
-#include <array>
 #include <vector>
 
 namespace penumbra {
@@ -22,9 +21,9 @@ struct MeshSides {
     /// By patch: its corners and the corners of others that lie on its sides, counter-clockwise, no point twice; the very
     /// same points in all patches that share them. Triangles with these as vertices leave no cracks.
     std::vector<std::vector<Vec2>> borders;
-    /// By patch and corner: radiosity there, averaged over the patches of the surface that meet there, by corner or by
-    /// side (Gouraud).
-    std::vector<std::array<Rgb, 4>> corner_values;
+    /// By patch, at its corners and at all points of its border: radiosity there, averaged over the patches of the
+    /// surface that meet there, by corner or by side (Gouraud).
+    std::vector<std::vector<Rgb>> corner_values, border_values;
 };
 
 MeshSides mesh_sides(const Snapshot &snapshot);

@@ -32,8 +32,8 @@ int patch_at(const Snapshot &snapshot, int surface, const Vec2 &p) {
         if (patch.surface != surface)
             continue;
         double outside = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Vec2 &a = patch.corners[k], side = patch.corners[(k + 1) % 4] - a;
+        for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+            const Vec2 &a = patch.corners[k], side = patch.corners[(k + 1) % patch.corners.size()] - a;
             if (side.norm() > 0)
                 outside = std::max(outside, -cross(side, p - a) / side.norm());
         }

@@ -108,10 +108,9 @@ QuadraturePoint ElementBasis::at_parameters(std::size_t tile, double u, double v
 
 std::vector<QuadraturePoint> ElementBasis::quadrature(int n) const {
     const GaussRule &rule = gauss_rule(n);
-    const std::size_t n_tiles = quad() ? 1 : own_tiles_.size();
     std::vector<QuadraturePoint> points;
-    points.reserve(n_tiles * rule.points.size() * rule.points.size());
-    for (std::size_t tile = 0; tile < n_tiles; ++tile)
+    points.reserve(n_tiles() * rule.points.size() * rule.points.size());
+    for (std::size_t tile = 0; tile < n_tiles(); ++tile)
         for (std::size_t i = 0; i < rule.points.size(); ++i)
             for (std::size_t j = 0; j < rule.points.size(); ++j) {
                 QuadraturePoint q = at_parameters(tile, rule.points[i], rule.points[j]);

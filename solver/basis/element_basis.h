@@ -33,7 +33,7 @@ struct QuadraturePoint {
 /// (planar_element.h).
 class ElementBasis {
 public:
-    ElementBasis() : ElementBasis(1, BilinearQuad{}) {}
+    ElementBasis() : domain_(BilinearQuad{{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}}) {}
     ElementBasis(int order, const BilinearQuad &quad) : order_(order), domain_(quad), outline_(quad.outline()) {}
     ElementBasis(int order, PlanarDomain domain);
 
@@ -55,6 +55,7 @@ public:
 
     /// Quads and triangles that tile the element, in the plane: one, but for polygons of more than four corners.
     std::vector<BilinearQuad> tiles() const;
+    std::size_t n_tiles() const { return quad() ? 1 : own_tiles_.size(); }
     /// The point of a tile with these parameters in [0,1]^2, and the weights that the tile's parameter square has there.
     QuadraturePoint at_parameters(std::size_t tile, double u, double v) const;
     /// Tensor Gauss rule with n points a parameter of each tile: for `inner`, exact for products of degree 2n - 1 in each

@@ -16,6 +16,8 @@ constexpr std::array<Naming, 4> namings{{{"uniform-constant", "Uniform meshing, 
 
 std::string_view name(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].name; }
 
+std::string_view name(BasisFamily family) { return family == BasisFamily::planar ? "planar" : "parametric"; }
+
 std::string_view title(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].title; }
 
 std::optional<Strategy> strategy_from_name(std::string_view text) {

@@ -26,9 +26,15 @@ constexpr bool is_constant(Strategy s) {
     return s == Strategy::uniform_constant || s == Strategy::discontinuity_constant;
 }
 
+/// The paper's products of Legendre polynomials of a quad's parameters, or polynomials of the plane on convex polygons.
+enum class BasisFamily { parametric, planar };
+std::string_view name(BasisFamily family);
+
 struct Options {
     Strategy strategy = Strategy::discontinuity_wavelet;
-    /// Polynomials of degree < order in each parameter, 1 to 4; the two constant strategies take 1 whatever stands here.
+    BasisFamily basis = BasisFamily::parametric;
+    /// Polynomials of degree < order in each parameter (planar: of total degree < order), 1 to 4; the two constant
+    /// strategies take 1 whatever stands here.
     int order = 4;
     /// Largest misfit that the oracle lets pass, as a fraction of the largest reflected radiosity B - E.
     double threshold = 0.02;

@@ -1,9 +1,11 @@
 #include "hierarchy/cut.h"
 
 #include "core/check.h"
+#include "hierarchy/planar_split.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace penumbra {
 
@@ -20,7 +22,7 @@ struct Crossing {
 
 struct Quad {
     std::array<Vec2, 4> corners;
-    std::array<SideKind, 4> sides;
+    std::vector<SideKind> sides;
 
     const Vec2 &corner(int i) const { return corners[static_cast<std::size_t>(i & 3)]; }
     SideKind side(int i) const { return sides[static_cast<std::size_t>(i & 3)]; }
@@ -29,7 +31,7 @@ struct Quad {
 
 /// The quad with another corner first; the shape stays.
 Quad turned(const Quad &q, int by) {
-    Quad out;
+    Quad out{{}, std::vector<SideKind>(4)};
     for (int i = 0; i < 4; ++i) {
         out.corners[static_cast<std::size_t>(i)] = q.corner(i + by);
         out.sides[static_cast<std::size_t>(i)] = q.side(i + by);
@@ -72,15 +74,16 @@ std::vector<Crossing> crossings(const Quad &q, const HalfPlane &line, int &n_sna
 }
 
 /// A cut from point p on the first side (0) to point r on the third (2) of q.
-CutStep between_opposite(const Quad &q, const Vec2 &p, const Vec2 &r, int piece) {
+CutStep between_opposite(const Quad &q, const Vec2 &p, const Vec2 &r, int piece, int order) {
     return {piece,
-            {{{{q.corner(0), p, r, q.corner(3)}}, {{p, q.corner(1), q.corner(2), r}}}},
+            {ElementBasis(order, BilinearQuad{{q.corner(0), p, r, q.corner(3)}}),
+             ElementBasis(order, BilinearQuad{{p, q.corner(1), q.corner(2), r}})},
             {{{q.side(0), SideKind::cut, q.side(2), q.side(3)}, {q.side(0), q.side(1), q.side(2), SideKind::cut}}}};
 }
 
 bool wide_enough(const CutStep &step, double size) {
-    return std::ranges::all_of(step.quads,
-                               [&](const BilinearQuad &quad) { return width(quad.corners) > least_width * size; });
+    return std::ranges::all_of(
+        step.children, [&](const ElementBasis &child) { return width(child.quad()->corners) > least_width * size; });
 }
 
 /// Sides on which a crossing may be counted: its own, and the neighbour's when it stands in a corner.
@@ -99,15 +102,36 @@ std::array<int, 2> sides_of(const Quad &q, const Crossing &c) {
 
 } // namespace
 
-std::vector<BilinearQuad> CutPlan::leaves() const {
+std::vector<ElementBasis> CutPlan::leaves() const {
     if (steps.size() == 1)
-        return {steps[0].quads[0], steps[0].quads[1]};
+        return {steps[0].children[0], steps[0].children[1]};
     const std::size_t whole = steps[1].piece == 1 ? 1 : 0;
-    return {steps[0].quads[whole], steps[1].quads[0], steps[1].quads[1]};
+    return {steps[0].children[whole], steps[1].children[0], steps[1].children[1]};
 }
 
+namespace {
+
+std::optional<CutPlan> planar_plan(const Element &element, const HalfPlane &line) {
+    const PlanarDomain &domain = element.basis.planar()->domain;
+    CutPlan plan;
+    auto pieces = split(domain, element.sides, in_own_frame(domain, line), SideKind::cut, plan.n_snapped);
+    if (!pieces)
+        return std::nullopt;
+    CutStep &step = plan.steps.emplace_back();
+    for (std::size_t c = 0; c < 2; ++c) {
+        step.children[c] = ElementBasis(element.basis.order(), std::move((*pieces)[c].domain));
+        step.sides[c] = std::move((*pieces)[c].sides);
+    }
+    return plan;
+}
+
+} // namespace
+
 std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line) {
-    Quad q{element.basis.quad().corners, element.sides};
+    if (element.basis.planar())
+        return planar_plan(element, line);
+    const int order = element.basis.order();
+    Quad q{element.basis.quad()->corners, element.sides};
     const double size = 2 * radius(q.corners);
     CutPlan plan;
     std::vector<Crossing> ends = crossings(q, line, plan.n_snapped);
@@ -151,7 +175,8 @@ std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line) {
         };
         const Vec2 P = on(A, B), R = on(A, C);
         CutStep step;
-        step.quads = {BilinearQuad{{A, P, R, R}}, BilinearQuad{{P, B, C, R}}};
+        step.children = {ElementBasis(order, BilinearQuad{{A, P, R, R}}),
+                         ElementBasis(order, BilinearQuad{{P, B, C, R}})};
         step.sides = {{{AB, SideKind::cut, SideKind::cut, CA}, {AB, BC, CA, SideKind::cut}}};
         if (!add(step))
             return std::nullopt;
@@ -163,7 +188,7 @@ std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line) {
         for (const int j : b)
             if (((i - j) & 3) == 2) {
                 const Quad t = turned(q, i);
-                if (!add(between_opposite(t, ends[0].point, ends[1].point, 0)))
+                if (!add(between_opposite(t, ends[0].point, ends[1].point, 0, order)))
                     return std::nullopt;
                 return plan;
             }
@@ -180,10 +205,10 @@ std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line) {
         return std::nullopt;
     const Quad t = turned(q, i); // the line enters on side 0 at from.t and leaves on side 1 at to.t
     const Vec2 opposite = t.corner(3) + from.t * (t.corner(2) - t.corner(3));
-    const CutStep extra = between_opposite(t, from.point, opposite, 0);
-    const Quad right{extra.quads[1].corners, extra.sides[1]}; // corners from, c1, c2, opposite
+    const CutStep extra = between_opposite(t, from.point, opposite, 0, order);
+    const Quad right{extra.children[1].quad()->corners, extra.sides[1]}; // corners from, c1, c2, opposite
     // From `to` on its side 1 to its corner 0, which ends its side 3: turned by one, from side 0 to side 2.
-    const CutStep last = between_opposite(turned(right, 1), to.point, from.point, 2);
+    const CutStep last = between_opposite(turned(right, 1), to.point, from.point, 2, order);
     if (!add(extra) || !add(last))
         return std::nullopt;
     return plan;
@@ -197,9 +222,8 @@ void cut(Forest &forest, ElementId leaf, const CutPlan &plan, int iteration) {
         const ElementId first(forest.elements.size());
         for (std::size_t c = 0; c < 2; ++c) {
             const Element above = forest[parent];
-            const ElementBasis basis(above.basis.order(), step.quads[c]);
-            add_child(forest, parent, step.quads[c], step.sides[c], above.half_depth, above.n_cuts + 1, iteration,
-                      std::make_shared<const TwoScale>(two_scale(above.basis, basis)));
+            add_child(forest, parent, step.children[c], step.sides[c], above.half_depth, above.n_cuts + 1, iteration,
+                      std::make_shared<const TwoScale>(two_scale(above.basis, step.children[c])));
         }
         forest[parent].first_child = first;
         forest[parent].n_children = 2;

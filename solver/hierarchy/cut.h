@@ -8,21 +8,21 @@
 
 namespace penumbra {
 
-/// Two quads that tile an element, on either side of a cut, and what lies along their sides.
+/// Two children that tile an element, on either side of a cut, and what lies along their sides.
 struct CutStep {
-    int piece = 0; ///< 0: of the element itself; else 1 + the index of a quad among the first step's two
-    std::array<BilinearQuad, 2> quads;
-    std::array<std::array<SideKind, 4>, 2> sides;
+    int piece = 0; ///< 0: of the element itself; else 1 + the index of a child among the first step's two
+    std::array<ElementBasis, 2> children;
+    std::array<std::vector<SideKind>, 2> sides;
 };
 
-/// How to cut an element along a line: one step when the line runs between opposite sides (or cuts a triangle), two when
-/// it enters and leaves through neighbouring sides (the extra step of figure 3(b)).
+/// How to cut an element along a line. Planar: one step. Parametric: one when the line runs between opposite sides (or
+/// cuts a triangle), two when it enters and leaves through neighbouring sides (the extra step of figure 3(b)).
 struct CutPlan {
     std::vector<CutStep> steps;
     int n_snapped = 0; ///< ends of the line that were moved onto a corner, to within rounding
 
-    /// The quads that tile the element when all steps are done.
-    std::vector<BilinearQuad> leaves() const;
+    /// The elements that tile it when all steps are done.
+    std::vector<ElementBasis> leaves() const;
 };
 
 /// The plan for the line h = 0, or none when it misses the element or would leave a child of no width (below 1e-6 of

@@ -4,9 +4,10 @@
 #include "basis/element_basis.h"
 #include "basis/two_scale.h"
 #include "core/ids.h"
+#include "core/options.h"
+#include "hierarchy/side.h"
 #include "scene/scene.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,18 +17,15 @@ namespace penumbra {
 /// How an element's children were made; the paper's flag (section 5).
 enum class SplitKind : std::uint8_t { none, uniform, cut };
 
-/// What lies along a side of an element.
-enum class SideKind : std::uint8_t { outline, uniform, cut };
-
 struct Element {
     ElementBasis basis;
     SurfaceId surface;
     ElementId parent, first_child; ///< children stand one after the other
-    int n_children = 0;            ///< 0, 2 (cut) or 4 (uniform)
+    int n_children = 0;            ///< 0, 2 (cut, or bisection of the planar family) or 4 (uniform)
     SplitKind split = SplitKind::none;
-    int half_depth = 0;            ///< twice the halvings of both directions: a uniform split adds 2, a cut 0
+    int half_depth = 0;            ///< twice the halvings of both directions: a split in four adds 2, a bisection 1, a cut 0
     int n_cuts = 0;                ///< cuts above this element
-    std::array<SideKind, 4> sides{};
+    std::vector<SideKind> sides;   ///< of a quad's four sides (also one without length), or of a polygon's
     int first = 0;                 ///< of its coefficients in a coefficient array
     int born = 0;                  ///< iteration that made it
     bool at_limit = false;         ///< failed the oracle and was kept
@@ -46,10 +44,17 @@ struct Forest {
     const Element &operator[](ElementId e) const { return elements[e.at()]; }
 };
 
-/// Roots only: a quad or triangle for each piece of a surface's convex parts, all of one order.
-Forest plant(const Scene &scene, int order);
+/// Roots only, all of one order: a quad or triangle for each piece of a surface's convex parts, or, in the planar family,
+/// the parts themselves.
+Forest plant(const Scene &scene, int order, BasisFamily family = BasisFamily::parametric);
 
-/// Gives a leaf four children, the quarters of its parameter square.
+/// An element's children by a uniform split: the quarters of its parameter square, or the halves of its box across the
+/// longer side (planar).
+std::vector<ElementBasis> uniform_children(const Element &element);
+/// What a uniform split adds to half_depth.
+int uniform_half_depth(const ElementBasis &basis);
+
+/// Splits a leaf uniformly.
 void subdivide(Forest &forest, ElementId leaf, int iteration);
 
 /// Calls visit(id) for every leaf below (or at) e, in order.
@@ -65,7 +70,7 @@ void for_each_leaf(const Forest &forest, ElementId e, const Visit &visit) {
 }
 
 /// Appends a child with these filters; the caller sets the parent's links to its children.
-void add_child(Forest &forest, ElementId parent, const BilinearQuad &quad, const std::array<SideKind, 4> &sides,
-               int half_depth, int n_cuts, int iteration, std::shared_ptr<const TwoScale> filters);
+void add_child(Forest &forest, ElementId parent, ElementBasis basis, std::vector<SideKind> sides, int half_depth,
+               int n_cuts, int iteration, std::shared_ptr<const TwoScale> filters);
 
 } // namespace penumbra

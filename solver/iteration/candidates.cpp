@@ -25,7 +25,7 @@ struct Field {
 /// A grid over the node and one over every small piece that a cut would make, so that a narrow penumbra is seen. Where
 /// grids overlap a point stands for the inverse of their densities' sum.
 Field sample_field(const Setting &setting, const Transport &transport, const State &state, const Element &node,
-                   std::span<const Interaction *const> failing, std::span<const BilinearQuad> small_pieces, Work &work) {
+                   std::span<const Interaction *const> failing, std::span<const ElementBasis> small_pieces, Work &work) {
     struct Grid {
         BilinearQuad quad;
         Polygon outline;
@@ -37,9 +37,16 @@ Field sample_field(const Setting &setting, const Transport &transport, const Sta
             return n * n / std::max(quad.jacobian(uv.x(), uv.y()), 1e-300);
         }
     };
-    std::vector<Grid> grids{{node.basis.quad(), node.basis.outline(), grid}};
-    for (const BilinearQuad &piece : small_pieces)
-        grids.push_back({piece, piece.outline(), small_grid});
+    std::vector<Grid> grids;
+    const auto add = [&](const ElementBasis &piece, int n) {
+        const std::vector<BilinearQuad> tiles = piece.tiles();
+        const int n_tile = static_cast<int>(std::ceil(n / std::sqrt(static_cast<double>(tiles.size()))));
+        for (const BilinearQuad &tile : tiles)
+            grids.push_back({tile, tile.outline(), n_tile});
+    };
+    add(node.basis, grid);
+    for (const ElementBasis &piece : small_pieces)
+        add(piece, small_grid);
     Field field;
     for (const Grid &g : grids)
         for (int i = 0; i < g.n; ++i)
@@ -58,19 +65,23 @@ Field sample_field(const Setting &setting, const Transport &transport, const Sta
     return field;
 }
 
-/// Squared error of the least-squares fit over the quad. With few samples the degree is lowered so that there are at
+/// The basis of lower order on the same domain.
+ElementBasis with_order(const ElementBasis &basis, int order) {
+    return basis.quad() ? ElementBasis(order, *basis.quad()) : ElementBasis(order, basis.planar()->domain);
+}
+
+/// Squared error of the least-squares fit over the element. With few samples the degree is lowered so that there are at
 /// least two samples a coefficient: a fit through all points would show nothing.
-double misfit(const Field &field, const BilinearQuad &quad, int order) {
-    const Polygon outline = quad.outline();
+double misfit(const Field &field, const ElementBasis &element) {
     std::vector<Eigen::Index> inside;
     for (std::size_t i = 0; i < field.points.size(); ++i)
-        if (contains(outline, field.points[i]))
+        if (contains(element.outline(), field.points[i]))
             inside.push_back(static_cast<Eigen::Index>(i));
-    while (order > 1 && 2 * order * order > static_cast<int>(inside.size()))
-        --order;
     if (inside.empty())
         return 0;
-    const ElementBasis basis(order, quad);
+    ElementBasis basis = element;
+    while (basis.order() > 1 && 2 * basis.n_functions() > static_cast<int>(inside.size()))
+        basis = with_order(element, basis.order() - 1);
     Eigen::MatrixXd a(static_cast<Eigen::Index>(inside.size()), basis.n_functions());
     Samples values(a.rows(), 3);
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
@@ -83,10 +94,10 @@ double misfit(const Field &field, const BilinearQuad &quad, int order) {
     return (values - a * qr.solve(values)).squaredNorm();
 }
 
-double misfit(const Field &field, std::span<const BilinearQuad> quads, int order) {
+double misfit(const Field &field, std::span<const ElementBasis> elements) {
     double sum = 0;
-    for (const BilinearQuad &quad : quads)
-        sum += misfit(field, quad, order);
+    for (const ElementBasis &element : elements)
+        sum += misfit(field, element);
     return sum;
 }
 
@@ -118,7 +129,7 @@ std::vector<CurveCut> curve_cuts(const Setting &setting, const Element &node,
 std::optional<Split> best_split(const Setting &setting, const Transport &transport, const State &state, ElementId id,
                                 std::span<const Interaction *const> failing, Work &work) {
     const Element &node = state.forest[id];
-    const bool may_subdivide = node.half_depth + 2 <= 2 * setting.options.max_depth;
+    const bool may_subdivide = node.half_depth + uniform_half_depth(node.basis) <= 2 * setting.options.max_depth;
     std::vector<CurveCut> cuts;
     if (cuts_along_curves(setting.options.strategy))
         cuts = curve_cuts(setting, node, failing);
@@ -127,21 +138,20 @@ std::optional<Split> best_split(const Setting &setting, const Transport &transpo
     if (cuts.size() == 1 && !may_subdivide)
         return Split{cuts[0].plan, cuts[0].curve, 0};
 
-    const int order = node.basis.order();
-    std::vector<BilinearQuad> small_pieces;
+    std::vector<ElementBasis> small_pieces;
     for (const CurveCut &candidate : cuts)
-        for (const BilinearQuad &piece : candidate.plan.leaves())
+        for (const ElementBasis &piece : candidate.plan.leaves())
             if (piece.area() < small * node.basis.area())
                 small_pieces.push_back(piece);
     const Field field = sample_field(setting, transport, state, node, failing, small_pieces, work);
-    const double now = misfit(field, node.basis.quad(), order);
-    const auto score = [&](std::span<const BilinearQuad> children) {
-        const double added = static_cast<double>((children.size() - 1) * static_cast<std::size_t>(order * order));
-        return (now - misfit(field, children, order)) / added;
+    const double now = misfit(field, node.basis);
+    const auto score = [&](std::span<const ElementBasis> children) {
+        const double added = static_cast<double>(children.size() - 1) * node.basis.n_functions();
+        return (now - misfit(field, children)) / added;
     };
     std::optional<Split> best;
     if (may_subdivide)
-        best = Split{std::nullopt, std::nullopt, score(uniform_children(node.basis.quad()))};
+        best = Split{std::nullopt, std::nullopt, score(uniform_children(node))};
     for (const CurveCut &candidate : cuts) {
         const double value = score(candidate.plan.leaves());
         if (!best || value > best->score)

@@ -30,7 +30,7 @@ Rgb radiosity_at(const Snapshot &snapshot, const SnapshotPatch &patch, double u,
 }
 
 Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p) {
-    const BasisValues value = ElementBasis(patch.order, BilinearQuad{patch.corners}).evaluate(p);
+    const BasisValues value = ElementBasis(patch.order, BilinearQuad{patch.quad}).evaluate(p);
     Rgb sum = Rgb::Zero();
     for (Eigen::Index k = 0; k < value.size(); ++k)
         sum += value[k] * snapshot.coefficients[static_cast<std::size_t>(patch.first + k)];

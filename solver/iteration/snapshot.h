@@ -26,15 +26,17 @@ struct SnapshotSurface {
     std::string name;
 };
 
-/// A leaf: the bilinear quad x(u,v) = (1-u)(1-v) c0 + u(1-v) c1 + uv c2 + (1-u)v c3 of its surface's plane (two corners
-/// coincide in a triangle), on which B(u,v) = sum over i, j of coefficients[first + i*order + j] L_i(u) L_j(v), with
-/// L_k the Legendre polynomials orthonormal on [0,1].
+/// A leaf: a convex polygon of its surface's plane, on which B(u,v) = sum over i, j of coefficients[first + i*order + j]
+/// L_i(u) L_j(v), with L_k the Legendre polynomials orthonormal on [0,1] and (u,v) the parameters of the bilinear quad
+/// x(u,v) = (1-u)(1-v) q0 + u(1-v) q1 + uv q2 + (1-u)v q3. In the parametric basis the quad is the polygon (two of its
+/// corners coincide in a triangle), in the planar one the box about it, and there coefficients with i + j >= order are 0.
 struct SnapshotPatch {
     std::int32_t surface = 0;
     std::int32_t order = 1;
     std::int32_t first = 0;             ///< of its order^2 coefficients
-    std::array<Vec2, 4> corners;
-    std::array<SideKind, 4> sides;      ///< side k runs from corner k to corner (k+1)%4
+    std::array<Vec2, 4> quad;
+    std::vector<Vec2> corners;          ///< of the polygon, counter-clockwise
+    std::vector<SideKind> sides;        ///< side k runs from corner k to the next
     float depth = 0;                    ///< halvings of both directions
     bool fresh = false;                 ///< made in this iteration
     bool at_limit = false;              ///< failed the oracle at the depth limit

@@ -22,7 +22,7 @@ namespace {
 std::shared_ptr<const State> first_state(const Setting &setting) {
     auto state = std::make_shared<State>();
     const Scene &scene = *setting.scene;
-    state->forest = plant(scene, setting.options.effective_order());
+    state->forest = plant(scene, setting.options.effective_order(), setting.options.basis);
     state->interactions.resize(state->forest.elements.size());
     state->linked.assign(scene.surfaces.size(), std::vector<char>(scene.surfaces.size(), 0));
     state->irradiance.setZero(state->forest.n_coefficients, 3);
@@ -30,7 +30,7 @@ std::shared_ptr<const State> first_state(const Setting &setting) {
     for (int s = 0; s < scene.n_surfaces(); ++s)
         if (scene.reflects(SurfaceId(s)))
             state->counters.patches += static_cast<int>(state->forest.roots[static_cast<std::size_t>(s)].size());
-    const int n = setting.options.effective_order() * setting.options.effective_order();
+    const int n = state->forest.elements.front().basis.n_functions();
     state->counters.coefficients = state->counters.patches * n;
     state->sentence = "only the emitters shine: nothing has been gathered yet";
     return state;

@@ -1,6 +1,7 @@
 #include "iteration/take_snapshot.h"
 
 #include <atomic>
+#include <utility>
 
 namespace penumbra {
 
@@ -25,6 +26,18 @@ SnapshotSurface surface_of(const Scene &scene, SurfaceId id) {
 constexpr double polyline_accuracy = 1e-6;
 
 double receiver_size(const Scene &scene, SurfaceId receiver) { return 2 * radius(scene.surface(receiver).outline); }
+
+void add_shape(const Element &e, double size, SnapshotPatch &patch) {
+    const BilinearQuad quad = e.basis.product_quad();
+    for (std::size_t c = 0; c < 4; ++c)
+        patch.quad[c] = size * quad.corners[c];
+    for (const Vec2 &p : e.basis.outline())
+        patch.corners.push_back(size * p);
+    // A quad that is a triangle has a side without length.
+    for (std::size_t k = 0; k < e.sides.size(); ++k)
+        if (e.basis.planar() || quad.corners[k] != quad.corners[(k + 1) % 4])
+            patch.sides.push_back(e.sides[k]);
+}
 
 int link_kind(PairKind kind) { return kind == PairKind::clear ? 0 : kind == PairKind::near ? 1 : 2; }
 
@@ -58,15 +71,15 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
         patch.surface = e.surface.index;
         patch.order = e.basis.order();
         patch.first = static_cast<std::int32_t>(out->coefficients.size());
-        for (std::size_t c = 0; c < 4; ++c)
-            patch.corners[c] = scene.own.size * e.basis.quad().corners[c];
-        patch.sides = e.sides;
+        add_shape(e, scene.own.size, patch);
         patch.depth = static_cast<float>(e.depth());
         patch.fresh = e.born > 0 && e.born == state.counters.iteration;
         patch.at_limit = e.at_limit;
-        for (int k = 0; k < e.basis.n_functions(); ++k)
-            out->coefficients.push_back(state.radiosity.row(e.first + k).transpose().array());
-        out->patches.push_back(patch);
+        const Eigen::MatrixX3d products =
+            e.basis.product_coefficients(state.radiosity.middleRows(e.first, e.basis.n_functions()));
+        for (const auto &row : products.rowwise())
+            out->coefficients.push_back(row.transpose().array());
+        out->patches.push_back(std::move(patch));
     }
     return out;
 }

@@ -65,19 +65,22 @@ double direct_error(const Scene &scene, const Blockers &blockers, const Forest &
     std::vector<Sums> sums(leaves.size());
     parallel_for(leaves.size(), [&](std::size_t l) {
         const Element &e = forest[leaves[l]];
-        const double share = std::sqrt(e.basis.area() / root_area[leaves[l].at()]);
+        const double share =
+            std::sqrt(e.basis.area() / (root_area[leaves[l].at()] * static_cast<double>(e.basis.n_tiles())));
         const int n = std::max(3, static_cast<int>(std::ceil(160 * share)));
         const auto b = radiosity.middleRows(e.first, e.basis.n_functions());
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) {
-                const QuadraturePoint q = e.basis.at_parameters((i + 0.5) / n, (j + 0.5) / n);
-                if (is_covered(scene.surface(e.surface), q.position))
-                    continue;
-                const Rgb exact = direct_radiosity(scene, blockers, e.surface, q.position);
-                const Rgb ours = (e.basis.evaluate(q.position).transpose() * b).transpose().array();
-                sums[l].error += q.area / (n * n) * (ours - exact).square().sum();
-                sums[l].reflected += q.area / (n * n) * (exact - scene.exitance(e.surface)).square().sum();
-            }
+        const auto add = [&](const QuadraturePoint &q) {
+            if (is_covered(scene.surface(e.surface), q.position))
+                return;
+            const Rgb exact = direct_radiosity(scene, blockers, e.surface, q.position);
+            const Rgb ours = (e.basis.evaluate(q).transpose() * b).transpose().array();
+            sums[l].error += q.area / (n * n) * (ours - exact).square().sum();
+            sums[l].reflected += q.area / (n * n) * (exact - scene.exitance(e.surface)).square().sum();
+        };
+        for (std::size_t tile = 0; tile < e.basis.n_tiles(); ++tile)
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j)
+                    add(e.basis.at_parameters(tile, (i + 0.5) / n, (j + 0.5) / n));
     });
     Sums total;
     for (const Sums &s : sums) {

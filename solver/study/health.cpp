@@ -49,10 +49,12 @@ Flux follow(const Scene &scene, const RayScene &rays, const Element &e, const Co
             const double x = 0.5 + step[d] * static_cast<double>(k) + 0.7548776662466927 * static_cast<double>(seed % 4096);
             s[d] = x - std::floor(x);
         }
-        const QuadraturePoint q = e.basis.at_parameters(s[0], s[1]);
-        const double area = q.area / n;
+        // One sequence over all tiles.
+        const double n_tiles = static_cast<double>(e.basis.n_tiles()), tile = std::floor(s[0] * n_tiles);
+        const QuadraturePoint q = e.basis.at_parameters(static_cast<std::size_t>(tile), s[0] * n_tiles - tile, s[1]);
+        const double area = n_tiles * q.area / n;
         const bool dark = is_covered(surface, q.position);
-        const Rgb value = dark ? Rgb(Rgb::Zero()) : Rgb((e.basis.evaluate(q.position).transpose() * b).transpose().array());
+        const Rgb value = dark ? Rgb(Rgb::Zero()) : Rgb((e.basis.evaluate(q).transpose() * b).transpose().array());
         flux.leaving += area * value;
         if (!dark) {
             flux.emitted += area * own;
@@ -75,10 +77,11 @@ Flux follow(const Scene &scene, const RayScene &rays, const Element &e, const Co
 double least_radiosity(const Element &e, const Coefficients &radiosity) {
     const auto b = radiosity.middleRows(e.first, e.basis.n_functions());
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 5; ++i)
-        for (int j = 0; j < 5; ++j)
-            least = std::min(least, (e.basis.evaluate(e.basis.quad().at((i + 0.5) / 5, (j + 0.5) / 5)).transpose() * b)
-                                        .minCoeff());
+    for (const BilinearQuad &tile : e.basis.tiles())
+        for (int i = 0; i < 5; ++i)
+            for (int j = 0; j < 5; ++j)
+                least = std::min(
+                    least, (e.basis.evaluate(tile.at((i + 0.5) / 5, (j + 0.5) / 5)).transpose() * b).minCoeff());
     return least;
 }
 

@@ -163,7 +163,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     const std::span<double> row_values(row.data(), static_cast<std::size_t>(n_columns));
     for (const QuadraturePoint &q : projection_points(p.basis, n_points, n_levels, touching_corners(p, to, from))) {
         transfer.at(q.position, row_values);
-        kernel += q.inner * p.basis.evaluate(q.position).head(n_rows) * row;
+        kernel += q.inner * p.basis.evaluate(q).head(n_rows) * row;
     }
     Eigen::MatrixXd misfit(0, n_columns);
     if (!weak) {

@@ -48,32 +48,35 @@ std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n,
                                                std::span<const Vec2> ends) {
     if (levels == 0)
         return basis.quadrature(n);
-    std::vector<double> u_breaks, v_breaks;
-    for (const Vec2 &end : ends) {
-        const Vec2 uv = basis.quad().inverse(end).cwiseMax(0.0).cwiseMin(1.0);
-        u_breaks.push_back(uv.x());
-        v_breaks.push_back(uv.y());
-    }
-    const Rule u = graded_rule(n, levels, std::move(u_breaks)), v = graded_rule(n, levels, std::move(v_breaks));
     std::vector<QuadraturePoint> points;
-    points.reserve(u.at.size() * v.at.size());
-    for (std::size_t i = 0; i < u.at.size(); ++i)
-        for (std::size_t j = 0; j < v.at.size(); ++j) {
-            QuadraturePoint q = basis.at_parameters(u.at[i], v.at[j]);
-            q.inner *= u.weight[i] * v.weight[j];
-            q.area *= u.weight[i] * v.weight[j];
-            points.push_back(q);
+    const std::vector<BilinearQuad> tiles = basis.tiles();
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+        std::vector<double> u_breaks, v_breaks;
+        for (const Vec2 &end : ends) {
+            const Vec2 uv = tiles[tile].inverse(end).cwiseMax(0.0).cwiseMin(1.0);
+            u_breaks.push_back(uv.x());
+            v_breaks.push_back(uv.y());
         }
+        const Rule u = graded_rule(n, levels, std::move(u_breaks)), v = graded_rule(n, levels, std::move(v_breaks));
+        for (std::size_t i = 0; i < u.at.size(); ++i)
+            for (std::size_t j = 0; j < v.at.size(); ++j) {
+                QuadraturePoint q = basis.at_parameters(tile, u.at[i], v.at[j]);
+                q.inner *= u.weight[i] * v.weight[j];
+                q.area *= u.weight[i] * v.weight[j];
+                points.push_back(q);
+            }
+    }
     return points;
 }
 
 std::vector<Vec2> test_points(const ElementBasis &basis) {
     std::vector<Vec2> points;
     constexpr std::array<double, 5> at{0.02, 0.26, 0.5, 0.74, 0.98};
-    for (std::size_t i = 0; i < at.size(); ++i)
-        for (std::size_t j = 0; j < at.size(); ++j)
-            if ((i + j) % 2 == 0)
-                points.push_back(basis.quad().at(at[i], at[j]));
+    for (const BilinearQuad &tile : basis.tiles())
+        for (std::size_t i = 0; i < at.size(); ++i)
+            for (std::size_t j = 0; j < at.size(); ++j)
+                if ((i + j) % 2 == 0)
+                    points.push_back(tile.at(at[i], at[j]));
     return points;
 }
 

@@ -28,7 +28,7 @@ void expect_same_bits(const State &a, const State &b) {
     ASSERT_EQ(a.forest.elements.size(), b.forest.elements.size());
     for (std::size_t e = 0; e < a.forest.elements.size(); ++e)
         for (std::size_t c = 0; c < 4; ++c)
-            ASSERT_EQ(a.forest.elements[e].basis.quad().corners[c], b.forest.elements[e].basis.quad().corners[c]);
+            ASSERT_EQ(a.forest.elements[e].basis.quad()->corners[c], b.forest.elements[e].basis.quad()->corners[c]);
     ASSERT_EQ(a.radiosity.rows(), b.radiosity.rows());
     int n_different = 0;
     for (Eigen::Index i = 0; i < a.radiosity.size(); ++i)

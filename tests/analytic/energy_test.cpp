@@ -39,7 +39,7 @@ Balance balance(const Scene &scene, const State &state, double rays) {
         const auto b = state.radiosity.middleRows(e.first, e.basis.n_functions());
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j) {
-                const QuadraturePoint q = e.basis.at_parameters((i + uniform(random)) / n, (j + uniform(random)) / n);
+                const QuadraturePoint q = e.basis.at_parameters(0, (i + uniform(random)) / n, (j + uniform(random)) / n);
                 const double a = uniform(random), c = uniform(random);
                 if (reference::covered(surface, q.position))
                     continue;

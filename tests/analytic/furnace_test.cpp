@@ -34,7 +34,7 @@ Deviation deviation(std::shared_ptr<const Scene> scene, const Options &options) 
         const Surface &surface = scene->surface(SurfaceId(patch.surface));
         const Material &material = scene->material(SurfaceId(patch.surface));
         const Rgb expected = material.exitance / (1 - material.reflectance);
-        const std::array<Vec2, 4> &c = patch.corners;
+        const std::array<Vec2, 4> &c = patch.quad;
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j) {
                 const double u = (i + 0.5) / n, v = (j + 0.5) / n;

@@ -141,7 +141,8 @@ TEST(CurveIndex, RoundsOfCutsCloseInOnTheArc) {
     const double r = 0.3;
     const CurveIndex index({quarter(r)}, 1);
     std::vector<Element> leaves(1);
-    leaves[0].basis = ElementBasis(1, {{{{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}}});
+    leaves[0].basis = ElementBasis(1, BilinearQuad{{{{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}}});
+    leaves[0].sides.resize(4);
     std::vector<double> gaps;
     for (int round = 0; round < 12; ++round) {
         std::vector<Element> next;
@@ -158,8 +159,10 @@ TEST(CurveIndex, RoundsOfCutsCloseInOnTheArc) {
                 next.push_back(leaf);
                 continue;
             }
-            for (const BilinearQuad &quad : plan->leaves())
-                next.emplace_back().basis = ElementBasis(1, quad);
+            for (const ElementBasis &piece : plan->leaves()) {
+                next.emplace_back().basis = piece;
+                next.back().sides.resize(4);
+            }
         }
         leaves = std::move(next);
         // How far the circle still runs inside of a leaf.

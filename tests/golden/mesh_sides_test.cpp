@@ -13,7 +13,8 @@ Snapshot three_patches() {
     const auto add = [&](double x0, double y0, double x1, double y1, double value, SideKind right) {
         SnapshotPatch p;
         p.first = static_cast<std::int32_t>(s.coefficients.size());
-        p.corners = {Vec2(x0, y0), {x1, y0}, {x1, y1}, {x0, y1}};
+        p.quad = {Vec2(x0, y0), {x1, y0}, {x1, y1}, {x0, y1}};
+        p.corners = {p.quad.begin(), p.quad.end()};
         p.sides = {SideKind::uniform, right, SideKind::uniform, SideKind::uniform};
         s.coefficients.push_back(Rgb::Constant(value));
         s.patches.push_back(p);

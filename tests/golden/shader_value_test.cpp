@@ -41,9 +41,9 @@ Camera over(const Snapshot &snapshot, const SnapshotPatch &patch) {
     Vec2 middle = Vec2::Zero();
     double twice_area = 0, longest = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-        middle += patch.corners[k] / 4;
-        twice_area += cross(patch.corners[k], patch.corners[(k + 1) % 4]);
-        longest = std::max(longest, (patch.corners[(k + 1) % 4] - patch.corners[k]).norm());
+        middle += patch.quad[k] / 4;
+        twice_area += cross(patch.quad[k], patch.quad[(k + 1) % 4]);
+        longest = std::max(longest, (patch.quad[(k + 1) % 4] - patch.quad[k]).norm());
     }
     const double breadth = std::min(longest, 4 * twice_area / longest);
     const Vec3 target = to_space(s, middle), eye = target + 2 * breadth * (s.normal + 0.2 * s.u + 0.1 * s.v);
@@ -101,7 +101,7 @@ TEST(ShaderValue, FlatIsTheMeanOverTheArea) {
     for (const SnapshotPatch &patch : snapshot->patches) {
         // Midpoints of a fine grid of parameters, weighted by the Jacobian: by another way than the renderer's.
         constexpr int n = 100;
-        const auto &c = patch.corners;
+        const auto &c = patch.quad;
         Rgb sum = Rgb::Zero();
         double area = 0;
         for (int a = 0; a < n; ++a)

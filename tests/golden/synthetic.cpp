@@ -38,8 +38,9 @@ SnapshotPatch &add_patch(Snapshot &s, int surface, const Quad &corners, int orde
     patch.surface = surface;
     patch.order = order;
     patch.first = static_cast<std::int32_t>(s.coefficients.size());
-    patch.corners = corners;
-    patch.sides.fill(SideKind::uniform);
+    patch.quad = corners;
+    patch.corners = BilinearQuad{corners}.outline();
+    patch.sides.assign(patch.corners.size(), SideKind::uniform);
     s.coefficients.insert(s.coefficients.end(), coefficients.begin(), coefficients.end());
     s.patches.push_back(patch);
     return s.patches.back();
@@ -68,7 +69,8 @@ Quad rectangle(double x0, double y0, double x1, double y1) { return {Vec2(x0, y0
 /// The whole of a rectangular surface as one patch, its sides the outline.
 void add_whole(Snapshot &s, int surface, int order, const Field &field) {
     const auto &outline = s.surfaces[static_cast<std::size_t>(surface)].outline;
-    add_projected(s, surface, {outline[0], outline[1], outline[2], outline[3]}, order, field).sides.fill(SideKind::outline);
+    SnapshotPatch &patch = add_projected(s, surface, {outline[0], outline[1], outline[2], outline[3]}, order, field);
+    std::ranges::fill(patch.sides, SideKind::outline);
 }
 
 void finish(Snapshot &s, const std::string &scene, double peak) {

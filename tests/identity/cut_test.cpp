@@ -48,7 +48,7 @@ Eigen::MatrixXd plane_polynomials(const Element &e, int order) {
     const double size = radius(e.basis.outline());
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            const Vec2 p = e.basis.quad().at((i + 0.5) / n, (j + 0.5) / n), q = (p - e.basis.centre()) / size;
+            const Vec2 p = e.basis.quad()->at((i + 0.5) / n, (j + 0.5) / n), q = (p - e.basis.centre()) / size;
             values.row(i * n + j) = e.basis.evaluate(p).transpose();
             int column = 0;
             for (int a = 0; a < order; ++a)
@@ -91,7 +91,7 @@ std::vector<Cut> all_cuts() {
 Forest cut_forest(const Cut &c, int order) {
     Forest forest = forest_of(c.corners, order);
     // Through the solver's frame: the plane of z = 0 is scaled and may be turned.
-    const BilinearQuad &quad = forest.elements[0].basis.quad();
+    const BilinearQuad &quad = *forest.elements[0].basis.quad();
     std::vector<Vec2> corners = quad.outline();
     const auto plan = plan_cut(forest.elements[0],
                                line_through(on_side(corners, c.from_side, c.from), on_side(corners, c.to_side, c.to)));
@@ -116,7 +116,7 @@ TEST(Cuts, ChildrenTileTheirParent) {
         }
         // No gap and no overlap: a random point lies in one leaf.
         for (int k = 0; k < 2000; ++k) {
-            const Vec2 p = forest.elements[0].basis.quad().at(uniform(random), uniform(random));
+            const Vec2 p = forest.elements[0].basis.quad()->at(uniform(random), uniform(random));
             int n_inside = 0;
             for_each_leaf(forest, ElementId(0), [&](ElementId leaf) {
                 const Polygon outline = forest[leaf].basis.outline();
@@ -133,7 +133,7 @@ TEST(Cuts, ChildrenTileTheirParent) {
 TEST(Cuts, NoLeafCrossesTheLine) {
     for (const Cut &c : all_cuts()) {
         const Forest forest = cut_forest(c, 1);
-        const std::vector<Vec2> corners = forest.elements[0].basis.quad().outline();
+        const std::vector<Vec2> corners = forest.elements[0].basis.quad()->outline();
         const HalfPlane line = line_through(on_side(corners, c.from_side, c.from), on_side(corners, c.to_side, c.to));
         int n_left = 0, n_right = 0;
         for_each_leaf(forest, ElementId(0), [&](ElementId leaf) {

@@ -80,11 +80,13 @@ double relative_error(const ExactLight &exact, const Forest &forest, const Coeff
             const ElementBasis &basis = forest[leaf].basis;
             const int n = std::max(
                 1, static_cast<int>(std::ceil(std::sqrt(basis.area() / forest[root].basis.area()) / most_side)));
-            const auto at = [&](int i, int j) { return basis.quad().at(double(i) / n, double(j) / n); };
-            for (int i = 0; i < n; ++i)
-                for (int j = 0; j < n; ++j)
-                    tasks.push_back(
-                        {leaf, BilinearQuad{{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}}.outline()});
+            for (const BilinearQuad &tile : basis.tiles()) {
+                const auto at = [&](int i, int j) { return tile.at(double(i) / n, double(j) / n); };
+                for (int i = 0; i < n; ++i)
+                    for (int j = 0; j < n; ++j)
+                        tasks.push_back(
+                            {leaf, BilinearQuad{{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}}.outline()});
+            }
         });
     std::vector<std::pair<double, double>> squares(tasks.size());
     parallel_for(tasks.size(), [&](std::size_t i) {

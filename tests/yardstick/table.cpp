@@ -17,7 +17,7 @@ int main(int argc, char **argv) {
     const SurfaceId surface(argc > 2 ? std::atoi(argv[2]) : 0);
     const yardstick::ExactLight exact(*scene, surface);
     const Forest bare = plant(*scene, 4);
-    const auto best = yardstick::best_quadtree(exact, bare[bare.roots[surface.at()].front()].basis.quad(), 4, 1e-3);
+    const auto best = yardstick::best_quadtree(exact, *bare[bare.roots[surface.at()].front()].basis.quad(), 4, 1e-3);
     std::puts("best quadtree: patches, error");
     for (std::size_t i = 0, step = 1; i < best.size(); i += step, step = i / 4 + 1)
         std::printf("%8d  %.6f\n", best[i].patches, best[i].error);

@@ -27,7 +27,7 @@ std::shared_ptr<const Scene> bundled(const char *name) { return std::make_shared
 
 BilinearQuad only_root(const Scene &scene) {
     const Forest forest = plant(scene, 1);
-    return forest[forest.roots[floor_surface.at()].front()].basis.quad();
+    return *forest[forest.roots[floor_surface.at()].front()].basis.quad();
 }
 
 /// What the solver needs on the floor, and how far off it is there.
