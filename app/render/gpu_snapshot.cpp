@@ -36,6 +36,23 @@ std::vector<glm::vec4> surface_texels(const Snapshot &snapshot, const UnitSpace 
     return texels;
 }
 
+/// Whether the polynomial's quad is a box about the patch (planar basis), not the patch itself.
+bool is_box(const SnapshotPatch &patch) {
+    return std::ranges::any_of(patch.quad, [&](const Vec2 &q) {
+        return std::ranges::find(patch.corners, q) == patch.corners.end();
+    });
+}
+
+/// Quads on whose parameters the radiosity is a polynomial, and which tile the patch.
+std::vector<BilinearQuad> tiles(const SnapshotPatch &patch) {
+    if (!is_box(patch))
+        return {BilinearQuad{patch.quad}};
+    std::vector<BilinearQuad> quads;
+    for (const Polygon &piece : quads_and_triangles(patch.corners))
+        quads.push_back(bilinear_quad(piece));
+    return quads;
+}
+
 /// Mean over the area, by 3x3 Gauss points on quads and triangles: exact, the integrand being of degree 5 at most in each
 /// parameter.
 Rgb mean(const Snapshot &snapshot, const SnapshotPatch &patch) {
@@ -43,15 +60,13 @@ Rgb mean(const Snapshot &snapshot, const SnapshotPatch &patch) {
     static constexpr double weights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
     Rgb sum = Rgb::Zero();
     double area = 0;
-    for (const Polygon &piece : quads_and_triangles(patch.corners)) {
-        const BilinearQuad quad = bilinear_quad(piece);
+    for (const BilinearQuad &quad : tiles(patch))
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 const double w = weights[i] * weights[j] * quad.jacobian(points[i], points[j]);
                 sum += w * radiosity(snapshot, patch, quad.at(points[i], points[j]));
                 area += w;
             }
-    }
     return area > 0 ? Rgb(sum / area) : radiosity(snapshot, patch, patch.corners[0]);
 }
 
@@ -61,12 +76,6 @@ double unit_of(const SnapshotPatch &patch) {
     for (const Vec2 &c : patch.quad)
         unit = std::max(unit, (c - patch.quad[0]).norm());
     return unit;
-}
-
-bool is_box(const SnapshotPatch &patch) {
-    return std::ranges::any_of(patch.quad, [&](const Vec2 &q) {
-        return std::ranges::find(patch.corners, q) == patch.corners.end();
-    });
 }
 
 /// Values at the corners of a patch that is its own quad, between which they are interpolated in its parameters.
