@@ -25,14 +25,16 @@ double exact(const Vec3 &x) {
 }
 
 /// L2 error on the floor, relative, of uniform elements of this depth.
-double error(int order, int depth) {
+double error(int order, BasisFamily family, int depth) {
     Options options;
     options.strategy = order == 1 ? Strategy::uniform_constant : Strategy::uniform_wavelet;
     options.order = order;
+    options.basis = family;
     options.threshold = 1e-14; // every element fails the oracle until the depth limit
     options.max_depth = depth;
     Solver solver(floor_and_lamp(), options);
-    for (int i = 0; i <= depth + 1; ++i)
+    const int n_halvings = family == BasisFamily::planar ? 2 * depth : depth;
+    for (int i = 0; i <= n_halvings + 1; ++i)
         solver.step();
     const auto snapshot = solver.snapshot();
     EXPECT_EQ(snapshot->counters.patches, 1 << 2 * depth);
@@ -56,15 +58,15 @@ double error(int order, int depth) {
     return std::sqrt(squares / whole);
 }
 
-class Order : public testing::TestWithParam<int> {};
+class Order : public testing::TestWithParam<std::tuple<int, BasisFamily>> {};
 
 TEST_P(Order, TheErrorFallsAsItsPowerOfTheElementsSide) {
-    const int order = GetParam();
+    const auto [order, family] = GetParam();
     const int finest = order == 1 ? 6 : order == 2 ? 5 : 4;
     // Least squares of log2 error over depth.
     double n = 0, sum_d = 0, sum_e = 0, sum_dd = 0, sum_de = 0;
     for (int depth = finest - 2; depth <= finest; ++depth) {
-        const double e = std::log2(error(order, depth));
+        const double e = std::log2(error(order, family, depth));
         RecordProperty("log2_error_at_depth_" + std::to_string(depth), std::to_string(e));
         n += 1;
         sum_d += depth;
@@ -76,7 +78,9 @@ TEST_P(Order, TheErrorFallsAsItsPowerOfTheElementsSide) {
     EXPECT_NEAR(-slope, order, 0.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(OneToFour, Order, testing::Values(1, 2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(OneToFour, Order,
+                         testing::Combine(testing::Values(1, 2, 3, 4),
+                                          testing::Values(BasisFamily::parametric, BasisFamily::planar)));
 
 } // namespace
 } // namespace penumbra
