@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "files/picture_state.h"
+#include "measure/keyhole.h"
 #include "render/picture.h"
 #include "window/offscreen.h"
 
@@ -46,6 +47,16 @@ void choose_curves(const LookOptions &options, const Snapshot &snapshot, Look &l
                        " curves, counted from 0; 'penumbra curves' lists them");
 }
 
+/// BadInput where there is no surface that reflects.
+std::shared_ptr<const Keyhole> look_from(const std::shared_ptr<const Scene> &scene, const Vec3 &point) {
+    const KeyholeEye eye(scene);
+    const SurfaceId surface = eye.surface_at(point, 1e-3);
+    if (!surface.valid())
+        throw BadInput("--keyhole: no surface that reflects lies within a thousandth of the scene's size of this point; "
+                       "give a point of a floor, a wall, a table");
+    return std::make_shared<const Keyhole>(eye.look(surface, point));
+}
+
 int run(const SolvingOptions &solving, const RenderOptions &options, const CommonOptions &common) {
     check_deliverable(common.output);
     const auto scene = std::make_shared<const Scene>(open_scene(solving, common));
@@ -78,6 +89,8 @@ int run(const SolvingOptions &solving, const RenderOptions &options, const Commo
     }
     const Snapshot &first = *spec.panes.front().snapshot;
     choose_curves(options.look, first, spec.look);
+    if (options.look.keyhole)
+        spec.keyhole = look_from(scene, *options.look.keyhole);
     Scene seen = *scene;
     if (options.look.view)
         seen.view = options.look.view;

@@ -68,6 +68,40 @@ std::string sentence(const Snapshot &snapshot, const SnapshotCurve &curve) {
     return {};
 }
 
+Vec3 middle_of(const SnapshotSurface &s) {
+    Vec2 sum = Vec2::Zero();
+    for (const Vec2 &p : s.outline)
+        sum += p / static_cast<double>(s.outline.size());
+    return s.origin + sum.x() * s.u + sum.y() * s.v;
+}
+
+/// Whether, as seen from x, the corner lies on that side of the edge on which the edge's surface is.
+bool within(const Snapshot &snapshot, const SnapshotEdge &corner, const SnapshotEdge &edge, const Vec3 &x) {
+    const Vec3 across = (edge.a - x).cross(edge.b - x);
+    const Vec3 middle = middle_of(snapshot.surfaces[static_cast<std::size_t>(edge.surface)]);
+    return across.dot(corner.a - x) * across.dot(middle - x) > 0;
+}
+
+std::string happened(const Snapshot &snapshot, const SnapshotCurve &curve, const Vec3 &here) {
+    const SnapshotEdge *corner = touched(curve, true), *edge = touched(curve, false);
+    const auto kind = static_cast<CurveKind>(curve.kind);
+    if ((kind == CurveKind::ve || kind == CurveKind::ev) && corner && edge && edge->surface >= 0) {
+        const bool in = within(snapshot, *corner, *edge, here);
+        const char *const did = kind == CurveKind::ve ? (in ? " went behind an edge of " : " came out from behind an edge of ")
+                                                      : (in ? " moved in before an edge of " : " moved out across an edge of ");
+        return "A corner of " + owner(snapshot, *corner) + did + owner(snapshot, *edge);
+    }
+    if (kind == CurveKind::eee) {
+        std::vector<std::string> names;
+        for (const SnapshotEdge &e : curve.touched)
+            names.push_back(owner(snapshot, e));
+        return "Three edges, of " + listed(names) + ", passed through one point";
+    }
+    if (kind == CurveKind::plane)
+        return surface_name(snapshot, critical_surface(snapshot, curve, 2).edge_on) + " was seen edge-on";
+    return "The point has passed where " + blockers(snapshot, curve) + " stands";
+}
+
 std::string jump(int order) {
     constexpr const char *what[] = {"irradiance itself", "slope of the irradiance", "curvature of the irradiance"};
     return std::string("Across it the ") + what[std::clamp(order, 0, 2)] + " jumps.";
@@ -91,6 +125,10 @@ std::string surface_name(const Snapshot &snapshot, int surface) {
         return "a surface";
     const std::string &name = snapshot.surfaces[static_cast<std::size_t>(surface)].name;
     return name.empty() ? "surface " + std::to_string(surface) : name;
+}
+
+EventWords crossing_words(const Snapshot &snapshot, const SnapshotCurve &curve, const Vec3 &here) {
+    return {happened(snapshot, curve, here) + ".", "", symbol(curve), way(snapshot, curve)};
 }
 
 EventWords event_words(const Snapshot &snapshot, const SnapshotCurve &curve) {
