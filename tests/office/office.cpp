@@ -207,21 +207,23 @@ void write_corridor(ObjWriter &obj, int n_rooms) {
 } // namespace
 
 SceneText office(int n_polygons, const std::string &name) {
-    const int n_rooms = std::max(1, static_cast<int>(std::lround((n_polygons - corridor_polygons) / double(room_polygons))));
+    const int n_rooms =
+        std::max(1, static_cast<int>(std::lround((n_polygons - corridor_polygons) / double(room_polygons))));
     const double length = pitch * ((n_rooms + 1) / 2) - wall, away = std::max(0.55 * length, 8.0);
     ObjWriter obj;
     write_corridor(obj, n_rooms);
     for (int k = 0; k < n_rooms; ++k)
         RoomWriter(obj, Room{k}).write();
     const std::string rooms = n_rooms == 1 ? "One office" : fmt::format("{} offices", n_rooms);
-    return {fmt::format("# penumbra: {} on a corridor: each lit by its own lamp, the corridor through the doors\n"
-                        "# view: {:.4g} {:.4g} {:.4g} {:.4g} -1 0 38\n"
-                        "# Units are metres, z is up. Made by make_office; ceilings and outer walls show their backs from\n"
-                        "# outside and are not drawn.\n"
-                        "mtllib {}.mtl\n",
-                        rooms, length / 2 + 0.15 * away, -1.75 * away, 1.4 * away, length / 2, name) +
-                obj.take(),
-            materials};
+    return {
+        fmt::format("# penumbra: {} on a corridor: each lit by its own lamp, the corridor through the doors\n"
+                    "# view: {:.4g} {:.4g} {:.4g} {:.4g} -1 0 38\n"
+                    "# Units are metres, z is up. Made by make_office; ceilings and outer walls show their backs from\n"
+                    "# outside and are not drawn.\n"
+                    "mtllib {}.mtl\n",
+                    rooms, length / 2 + 0.15 * away, -1.75 * away, 1.4 * away, length / 2, name) +
+            obj.take(),
+        materials};
 }
 
 } // namespace penumbra

@@ -29,14 +29,15 @@ TEST(ConvexParts, HaveNoCornersInLine) {
     EXPECT_NEAR(sum, 4 * 5 + 0.9 * 0.2, 1e-14);
 }
 
-/// Such a floor, lit by a lamp of 1 W/m2, reflects at most half of that; a quad without area made it 10^9 times as much.
+/// Such a floor, lit by a lamp of 1 W/m2, reflects at most half of that; a quad without area made it 10^9 times as
+/// much.
 TEST(ConvexParts, AFloorWithADoorwayIsLitAsAnyOther) {
     std::string obj = "mtllib m\nusemtl floor\n";
     for (const Vec2 &p : floor_with_doorway)
         obj += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " 0\n";
     obj += "f 1 2 3 4 5 6 7 8\nusemtl lamp\nv 1 1 1\nv 1 2 1\nv 2 2 1\nv 2 1 1\nf 9 10 11 12\n";
-    const auto scene = std::make_shared<const Scene>(
-        scene_of(obj, "newmtl floor\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n"));
+    const auto scene =
+        std::make_shared<const Scene>(scene_of(obj, "newmtl floor\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n"));
     Solver solver(scene, Options{});
     EXPECT_TRUE(solver.run());
     EXPECT_GT(solver.snapshot()->peak, 0.05);

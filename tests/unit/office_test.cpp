@@ -1,4 +1,5 @@
-// The generated offices: as many polygons as asked for, closed, fronts where the light is; the bundled one is one of them.
+// The generated offices: as many polygons as asked for, closed, fronts where the light is; the bundled one is one of
+// them.
 #include "office/office.h"
 
 #include "core/read_text.h"
@@ -44,14 +45,16 @@ TEST(Office, ClosedRoomsAndClosedFurniture) {
     EXPECT_TRUE(scene.notes.empty());
     const auto sum = volumes(scene);
     double air = 0;
-    for (const char *part : {"floor", "ceiling", "walls", "door", "corridor_floor", "corridor_ceiling", "corridor_walls"})
+    for (const char *part :
+         {"floor", "ceiling", "walls", "door", "corridor_floor", "corridor_ceiling", "corridor_walls"})
         air += sum.at(part);
     EXPECT_NEAR(-air, 4 * (4 * 5 * 2.7 + 0.9 * 0.2 * 2.1) + 8.2 * 1.6 * 2.7, 1e-9);
     EXPECT_NEAR(sum.at("desk"), 4 * (1.6 * 0.8 * 0.04 + 4 * 0.05 * 0.05 * 0.7), 1e-9);
     EXPECT_NEAR(sum.at("cabinet"), 4 * 0.45 * 1.2 * 1.8, 1e-9);
     EXPECT_NEAR(sum.at("screen"), 4 * 0.6 * 0.06 * 0.4, 1e-9);
     // Turned chairs are rounded to 0.1 mm.
-    EXPECT_NEAR(sum.at("chair"), 4 * (0.44 * 0.44 * 0.04 + 0.08 * 0.08 * 0.38 + 0.48 * 0.48 * 0.06 + 0.4 * 0.05 * 0.5), 1e-3);
+    EXPECT_NEAR(sum.at("chair"), 4 * (0.44 * 0.44 * 0.04 + 0.08 * 0.08 * 0.38 + 0.48 * 0.48 * 0.06 + 0.4 * 0.05 * 0.5),
+                1e-3);
 }
 
 TEST(Office, WhatStandsCoversWhatCarriesIt) {
