@@ -3,6 +3,7 @@
 #include "geometry/convex_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -10,68 +11,47 @@ namespace penumbra {
 
 namespace {
 
-constexpr std::size_t most = 24;
-constexpr double on_plane = 1e-6; // of the unit scene
+constexpr double on_plane = 1e-6;     // of the unit scene
+constexpr double least_width = 0.005; // of the element's radius: what a contact has to part from it
 
-/// The middle of what of the segment from s to t lies in the convex polygon.
-std::optional<Vec2> middle_inside(const Polygon &convex, const Vec2 &s, const Vec2 &t) {
+/// The parameters of the part of the segment from s to t inside the convex polygon; high < low when there is none.
+std::pair<double, double> part_inside(std::span<const HalfPlane> borders, const Vec2 &s, const Vec2 &t) {
     double low = 0, high = 1;
-    for (const HalfPlane &h : half_planes(convex)) {
+    for (const HalfPlane &h : borders) {
         const double vs = h.value(s), vt = h.value(t);
         if (vs < 0 && vt < 0)
-            return std::nullopt;
-        if (vs < 0)
+            high = -1;
+        else if (vs < 0)
             low = std::max(low, vs / (vs - vt));
         else if (vt < 0)
             high = std::min(high, vs / (vs - vt));
     }
-    return low < high ? std::optional<Vec2>(s + (low + high) / 2 * (t - s)) : std::nullopt;
+    return {low, high};
 }
 
-/// Both sides of the lines along which blockers go through p.
-std::vector<Vec2> contact_points(const PlaneFrame &frame, const Polygon &outline, const Blockers &blockers,
-                                 std::span<const PairBlocker> pair) {
-    std::vector<Vec2> found;
-    const double beside = 1e-3 * radius(outline);
-    for (const PairBlocker &b : pair) {
-        const auto &corners = blockers[b.blocker].corners;
-        std::vector<Vec2> ends;
-        bool pierces = false;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
-            const double ha = frame.height(a), hc = frame.height(c);
-            pierces |= ha < -on_plane;
-            if ((ha < 0) != (hc < 0))
-                ends.push_back(frame.to_plane(a + ha / (ha - hc) * (c - a)));
-        }
-        if (!pierces || ends.size() != 2)
-            continue;
-        const auto middle = middle_inside(outline, ends[0], ends[1]);
-        if (!middle)
-            continue;
-        const Vec2 along = (ends[1] - ends[0]).normalized(), across(-along.y(), along.x());
-        for (const Vec2 &at : {Vec2(*middle + beside * across), Vec2(*middle - beside * across)})
-            if (contains(outline, at))
-                found.push_back(at);
+/// What the blocker has in common with the plane that it stands on or goes through.
+std::optional<std::pair<Vec2, Vec2>> contact_of(const Blocker &blocker, const PlaneFrame &plane) {
+    const std::size_t n = blocker.corners.size();
+    std::vector<Vec2> ends;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 &a = blocker.corners[i], &c = blocker.corners[(i + 1) % n];
+        const double ha = plane.height(a), hc = plane.height(c);
+        if (std::abs(ha) < on_plane)
+            ends.push_back(plane.to_plane(a));
+        else if (std::abs(hc) >= on_plane && (ha < 0) != (hc < 0))
+            ends.push_back(plane.to_plane(a + ha / (ha - hc) * (c - a)));
     }
-    return found;
-}
-
-std::vector<Vec2> thinned(std::vector<Vec2> points) {
-    if (points.size() <= most)
-        return points;
-    for (std::size_t i = 0; i < most; ++i)
-        points[i] = points[i * points.size() / most];
-    points.resize(most);
-    return points;
+    return ends.size() == 2 ? std::optional(std::pair(ends[0], ends[1])) : std::nullopt;
 }
 
 } // namespace
 
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair) {
+    constexpr std::size_t most = 24;
     const PlaneFrame &frame = scene.surface(p.surface).frame;
     const Polygon &outline = p.basis.outline();
+    const std::vector<HalfPlane> borders = half_planes(outline);
     std::vector<Vec2> found;
     const Vec2 middle_of_p = p.basis.centre();
     const auto add = [&](const Vec2 &at) { found.push_back(at + 0.02 * (middle_of_p - at)); };
@@ -92,24 +72,59 @@ std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, co
         project(centre, middle);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
+            if (std::abs(frame.height(a)) < on_plane && std::abs(frame.height(c)) < on_plane)
+                continue; // the transfer jumps there: contact_points
             for (const Vec3 &from : source.corners) {
+                // The middle of what of this edge's shadow falls on the element.
                 const double above = frame.height(from);
                 const double ha = above - frame.height(a), hc = above - frame.height(c);
                 if (ha <= 1e-9 || hc <= 1e-9 || frame.height(a) < -on_plane || frame.height(c) < -on_plane)
                     continue;
-                // Where a blocker stands on the receiver the transfer jumps: the edge itself has no value to test.
-                if (frame.height(a) < on_plane && frame.height(c) < on_plane)
-                    continue;
                 const Vec2 s = frame.to_plane(from + (above / ha) * (a - from));
                 const Vec2 t = frame.to_plane(from + (above / hc) * (c - from));
-                if (const auto inside = middle_inside(outline, s, t))
-                    add(*inside);
+                const auto [low, high] = part_inside(borders, s, t);
+                if (low < high)
+                    add(s + (low + high) / 2 * (t - s));
             }
         }
     }
-    found = thinned(std::move(found));
-    const std::vector<Vec2> contacts = thinned(contact_points(frame, outline, blockers, pair));
-    found.insert(found.end(), contacts.begin(), contacts.end());
+    if (found.size() <= most)
+        return found;
+    std::vector<Vec2> thinned;
+    for (std::size_t i = 0; i < most; ++i)
+        thinned.push_back(found[i * found.size() / most]);
+    return thinned;
+}
+
+std::vector<Vec2> contact_points(const Scene &scene, const Blockers &blockers, const Element &p,
+                                 std::span<const PairBlocker> pair) {
+    const PlaneFrame &frame = scene.surface(p.surface).frame;
+    const Polygon &outline = p.basis.outline();
+    const std::vector<HalfPlane> borders = half_planes(outline);
+    const auto narrow = [least = least_width * radius(outline)](const Polygon &part) {
+        return part.size() < 3 || area(part) < least * 2 * radius(part);
+    };
+    const double beside = 1e-3 * radius(outline);
+    std::vector<Vec2> found;
+    Polygon left, right;
+    for (const PairBlocker &b : pair) {
+        const auto contact = contact_of(blockers[b.blocker], frame);
+        if (!contact)
+            continue;
+        const auto &[s, t] = *contact;
+        const auto [low, high] = part_inside(borders, s, t);
+        if (low >= high)
+            continue;
+        split(outline, {s.y() - t.y(), t.x() - s.x(), cross(s, t)}, left, right);
+        if (narrow(left) || narrow(right))
+            continue;
+        found.push_back(centroid(left));
+        found.push_back(centroid(right));
+        const Vec2 middle = s + (low + high) / 2 * (t - s), along = (t - s).normalized(), across(-along.y(), along.x());
+        for (const Vec2 &at : {Vec2(middle + beside * across), Vec2(middle - beside * across)})
+            if (contains(outline, at))
+                found.push_back(at);
+    }
     return found;
 }
 
