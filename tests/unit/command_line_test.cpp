@@ -100,11 +100,16 @@ TEST_F(CommandLine, WhatCannotBeWrittenIsFive) {
     }
 }
 
+/// A line each: the name, and from one column on what it is.
 TEST_F(CommandLine, ScenesAreListed) {
     const Result result = run("scenes");
     EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(std::ranges::count(result.out, '\n'), 7);
-    EXPECT_THAT(result.out, HasSubstr("cornell-box"));
+    EXPECT_THAT(result.out, HasSubstr("cornell-box      The Cornell box"));
+    EXPECT_THAT(result.out, HasSubstr("venetian-blinds  A long narrow window"));
+    std::size_t n_files = 0;
+    for (const auto &file : fs::directory_iterator(PENUMBRA_SOURCE_DIR "/assets/scenes"))
+        n_files += file.path().extension() == ".obj";
+    EXPECT_EQ(std::ranges::count(result.out, '\n'), static_cast<std::ptrdiff_t>(n_files));
 }
 
 TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
