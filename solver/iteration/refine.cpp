@@ -23,6 +23,7 @@ struct Request {
     std::vector<ElementId> sources;
     bool weak = false;
     std::shared_ptr<const Interaction> before; ///< of the same pair, to be replaced; none when the pair is new
+    bool fine = false;
 };
 
 enum class Verdict { keep, relink, fail };
@@ -198,7 +199,8 @@ private:
         state_.interactions.resize(forest.elements.size());
     }
 
-    /// Failing interactions go to the children; those to be linked anew are asked for at the same node.
+    /// Failing interactions go to the children; those to be linked anew are asked for at the same node. Where a limit
+    /// keeps a node that fails, its fit shall at least be the best there is: it is integrated anew, finer.
     void hand_down(ElementId node) {
         auto &here = state_.interactions[node.at()];
         std::vector<std::shared_ptr<const Interaction>> kept;
@@ -206,12 +208,13 @@ private:
             const Judgement &j = judgements_[node.at()][i];
             const bool at_limit = j.verdict == Verdict::fail && state_.forest[node].leaf();
             const bool same_sources = j.sources.size() == here[i]->links.size();
-            if (j.verdict == Verdict::keep || (at_limit && same_sources))
+            const bool fine = at_limit || here[i]->fine;
+            if (j.verdict == Verdict::keep || (at_limit && same_sources && here[i]->fine))
                 kept.push_back(here[i]);
             else if (j.verdict == Verdict::fail && !at_limit)
                 descend(node, *here[i], j);
             else
-                requests_.push_back({node, here[i]->source, here[i]->blockers, j.sources, j.weak, here[i]});
+                requests_.push_back({node, here[i]->source, here[i]->blockers, j.sources, j.weak, here[i], fine});
         }
         here = std::move(kept);
     }
@@ -253,7 +256,7 @@ private:
         parallel_for(requests_.size(), [&](std::size_t i) {
             const Request &r = requests_[i];
             made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources, r.weak, work[i],
-                              r.before.get());
+                              r.before.get(), r.fine);
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
             state_.counters.work += work[i];

@@ -101,13 +101,14 @@ std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId re
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, std::span<const PairBlocker> candidates,
                                            std::span<const ElementId> sources, bool weak, Work &work,
-                                           const Interaction *before) {
+                                           const Interaction *before, bool fine) {
     const Element &p = forest[receiver];
     const Surface &to = transport.scene.surface(p.surface), &from = transport.scene.surface(source);
     auto out = std::make_shared<Interaction>();
     out->receiver = receiver;
     out->source = source;
     out->weak = weak;
+    out->fine = fine;
     out->kind = PairKind::hidden;
 
     const std::vector<Polygon> element{p.basis.outline()};
@@ -136,7 +137,8 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     out->kind = !out->blockers.empty() ? PairKind::partly_hidden : near ? PairKind::near : PairKind::clear;
     out->form_factor = form_factor_bound(transport, p, source);
 
-    const std::span<const Link> known = before && before->weak == weak ? before->links : std::span<const Link>();
+    const bool alike = before && before->weak == weak && before->fine == fine;
+    const std::span<const Link> known = alike ? before->links : std::span<const Link>();
     const auto known_link = [&](ElementId q) { return std::ranges::find(known, q, &Link::source); };
     std::vector<SourceNode> nodes;
     for (const ElementId q : sources) {
@@ -152,7 +154,8 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     const int n_rows = weak ? 1 : p.basis.n_functions();
     // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a fit, more.
     const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(transport.accuracy))) - 3);
-    const int n_points = weak ? 2 : order + 1 + digits;
+    const int finer = fine && out->kind == PairKind::partly_hidden ? 2 : 1;
+    const int n_points = weak ? 2 : finer * (order + 1) + digits;
     const int n_levels = near && !weak ? digits : 0;
 
     Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, n_columns);
@@ -168,6 +171,8 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         const auto shadows = shadow_points(transport.scene, transport.blockers, p, from, out->blockers);
         tests.insert(tests.end(), shadows.begin(), shadows.end());
         std::erase_if(tests, [&](const Vec2 &at) { return is_covered(to, at); });
+        const auto beside = contact_points(transport.scene, transport.blockers, p, out->blockers);
+        tests.insert(tests.end(), beside.begin(), beside.end());
         misfit.resize(static_cast<Eigen::Index>(tests.size()), n_columns);
         for (std::size_t c = 0; c < tests.size(); ++c) {
             transfer.at(tests[c], row_values);

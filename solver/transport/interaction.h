@@ -30,6 +30,9 @@ struct Interaction {
     PairKind kind = PairKind::clear;
     /// Below its share of the error: a constant, from a few points, and not tested.
     bool weak = false;
+    /// p was kept though it failed: a partly hidden pair takes twice the points a parameter, so that the fit comes close
+    /// to the best that p can do.
+    bool fine = false;
     double form_factor = 0;            ///< unoccluded, largest over a few points of p: bounds what S can bring
     std::vector<PairBlocker> blockers; ///< those that may stand between p and S
     std::vector<Link> links;           ///< their sources tile S
@@ -53,11 +56,12 @@ double form_factor_bound(const Transport &transport, const Element &p, SurfaceId
 
 /// Classifies the pair and integrates its links. `candidates`: a superset of the blockers between them (those of a
 /// parent; `all_candidates` at a root). A hidden pair has no links. `before`, where given, is what this call gave for the
-/// same two with other sources: links of sources in both are taken over, not computed again. Cancellable.
+/// same two with other sources: links of sources in both are taken over, not computed again, if they were made with the
+/// same `weak` and `fine`. Cancellable.
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, std::span<const PairBlocker> candidates,
                                            std::span<const ElementId> sources, bool weak, Work &work,
-                                           const Interaction *before = nullptr);
+                                           const Interaction *before = nullptr, bool fine = false);
 
 /// Everything near the shaft between two surfaces, as proposed by the bounding-volume hierarchy.
 std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source);
