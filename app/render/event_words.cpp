@@ -40,9 +40,20 @@ const SnapshotEdge *touched(const SnapshotCurve &curve, bool corner) {
     return nullptr;
 }
 
+/// Whose edges and corners are touched.
+std::string owners(const Snapshot &snapshot, const SnapshotCurve &curve) {
+    std::vector<std::string> names;
+    for (const SnapshotEdge &edge : curve.touched)
+        names.push_back(owner(snapshot, edge));
+    return listed(names);
+}
+
 std::string sentence(const Snapshot &snapshot, const SnapshotCurve &curve) {
     const auto kind = static_cast<CurveKind>(curve.kind);
     const SnapshotEdge *corner = touched(curve, true), *edge = touched(curve, false);
+    const bool in_plane = !corner && curve.touched.size() > 1;
+    if (in_plane && (kind == CurveKind::ve || kind == CurveKind::ev))
+        return "From this line edges of " + owners(snapshot, curve) + " lie exactly one behind the other.";
     const std::string of_corner = corner ? owner(snapshot, *corner) : "", of_edge = edge ? owner(snapshot, *edge) : "";
     switch (kind) {
     case CurveKind::ve:
@@ -52,12 +63,9 @@ std::string sentence(const Snapshot &snapshot, const SnapshotCurve &curve) {
         return corner && edge ? "Crossing this line, a corner of " + of_corner + " comes before an edge of " + of_edge + "."
                               : "Crossing this line, a corner of " + blockers(snapshot, curve) + " comes before an edge.";
     case CurveKind::eee: {
-        std::vector<std::string> names;
-        for (const SnapshotEdge &e : curve.touched)
-            names.push_back(owner(snapshot, e));
-        if (names.empty())
-            names = {blockers(snapshot, curve), surface_name(snapshot, curve.source)};
-        return "From this line three edges, of " + listed(names) + ", seem to meet in one point.";
+        const std::string of = curve.touched.empty() ? surface_name(snapshot, curve.source) + " and " + blockers(snapshot, curve)
+                                                     : owners(snapshot, curve);
+        return "From this line three edges, of " + of + ", seem to meet in one point.";
     }
     case CurveKind::plane:
         return "From this line " + surface_name(snapshot, critical_surface(snapshot, curve, 2).edge_on) +
@@ -92,11 +100,10 @@ std::string happened(const Snapshot &snapshot, const SnapshotCurve &curve, const
         return "A corner of " + owner(snapshot, *corner) + did + owner(snapshot, *edge);
     }
     if (kind == CurveKind::eee) {
-        std::vector<std::string> names;
-        for (const SnapshotEdge &e : curve.touched)
-            names.push_back(owner(snapshot, e));
-        return "Three edges, of " + listed(names) + ", passed through one point";
+        return "Three edges, of " + owners(snapshot, curve) + ", passed through one point";
     }
+    if (!corner && curve.touched.size() > 1)
+        return "Edges of " + owners(snapshot, curve) + " passed one behind the other";
     if (kind == CurveKind::plane)
         return surface_name(snapshot, critical_surface(snapshot, curve, 2).edge_on) + " was seen edge-on";
     return "The point has passed where " + blockers(snapshot, curve) + " stands";
