@@ -80,13 +80,15 @@ const SnapshotCurve *noted_curve(const PictureSpec &spec) {
     return chosen >= 0 && chosen < static_cast<int>(curves.size()) ? &curves[static_cast<std::size_t>(chosen)] : nullptr;
 }
 
-/// What that curve is, above `bottom`; measured only when there is no list. Returns its height.
+/// What that curve is, or the caption, above `bottom`; measured only when there is no list. Returns its height.
 float draw_note(ImDrawList *list, const Fonts &fonts, const PictureSpec &spec, float bottom) {
     const SnapshotCurve *curve = noted_curve(spec);
-    if (!curve)
+    if (!curve && spec.caption.empty())
         return 0;
+    const EventWords words = curve ? event_words(*spec.panes.front().snapshot, *curve)
+                                   : EventWords{spec.caption, "", "measured while this picture was made", ""};
     return draw_event_note(list, fonts, {0.6f * fonts.size, bottom}, static_cast<float>(spec.width) - 1.2f * fonts.size,
-                           event_words(*spec.panes.front().snapshot, *curve), curve_colour(curve->kind), spec.look.theme)
+                           words, curve ? curve_colour(curve->kind) : ImVec4(0.95f, 0.62f, 0.1f, 1), spec.look.theme)
         .y;
 }
 
@@ -119,7 +121,7 @@ double pane_aspect(const PictureSpec &spec) {
     const float em = text_height(spec);
     const auto part = [&](bool there, float lines) { return there ? static_cast<int>(lines * em) : 0; };
     const Layout l = layout(
-        spec, {part(spec.legend, 5.9f), part(spec.labels, 3.4f), part(noted_curve(spec) != nullptr, 3.6f),
+        spec, {part(spec.legend, 5.9f), part(spec.labels, 3.4f), part(noted_curve(spec) != nullptr || !spec.caption.empty(), 3.6f),
                inset_width(spec, Fonts{nullptr, nullptr, em})});
     return l.views.empty() ? 1 : l.views.front().aspect();
 }

@@ -26,6 +26,7 @@ struct PictureSpec {
     Camera camera;      ///< the same in all panes
     Look look;          ///< without a range: common_range() of all panes
     std::shared_ptr<const Keyhole> keyhole; ///< drawn at the right, its point in all panes; null: none
+    std::string caption; ///< a sentence below the panes, where no curve is in the limelight; empty: none
     double text = 0;    ///< text height [pixels]; 0: from the picture's size
     bool labels = true, legend = true;
 };

@@ -124,6 +124,26 @@ TEST_F(PictureCommands, RenderShowsOneCurveAndHidesOthers) {
     EXPECT_FALSE(fs::exists(folder / "a.png"));
 }
 
+TEST_F(PictureCommands, PanesChosenStandSideBySide) {
+    ASSERT_EQ(run("render soft-shadow --panes d,c --threshold 0.02 --size 640x480 -o two.png"), 0) << text(folder / ".err");
+    EXPECT_EQ(state("two.png")["strategies"], nlohmann::json::array({"discontinuity-wavelet", "uniform-wavelet"}));
+    EXPECT_EQ(state("two.png")["layout"], "two");
+    for (const char *wrong : {"c,", ",c", "cd", "c,e", "c d", "\"\""})
+        EXPECT_EQ(run(std::string("render soft-shadow -o a.png --panes ") + wrong), 2) << wrong;
+}
+
+/// The price of cutting where it does not pay, as the picture in the README tells it.
+TEST_F(PictureCommands, SoftShadowsAreNotWorthCutting) {
+    const auto solve = [&](const std::string &strategy) {
+        EXPECT_EQ(run("solve soft-shadow --threshold 0.001 -o " + strategy + ".json --strategy " + strategy), 0);
+        return nlohmann::json::parse(text(folder / (strategy + ".json")))["final"];
+    };
+    const nlohmann::json uniform = solve("uniform-wavelet"), cut = solve("discontinuity-wavelet");
+    EXPECT_LE(uniform["error"].get<double>(), cut["error"].get<double>());
+    EXPECT_LE(uniform["coefficients"].get<int>(), cut["coefficients"].get<int>());
+    EXPECT_LT(2 * uniform["clips"].get<int>(), cut["clips"].get<int>());
+}
+
 TEST_F(PictureCommands, RenderLooksThroughTheKeyhole) {
     const std::string common = "render skew-blockers --size 640x480 --steps 0 ";
     ASSERT_EQ(run(common + "-o plain.png"), 0) << text(folder / ".err");
