@@ -34,7 +34,9 @@ void draw_keyhole(AppState &state, const Arrangement &arrangement, const Fonts &
     ImDrawList &list = *ImGui::GetBackgroundDrawList(); // over the scene, below the panels
     draw_keyhole_point(list, fonts, low, high, state.camera, keyhole);
     const ImVec2 size = keyhole_inset_size(fonts, keyhole);
-    const ImVec2 corner{std::max(low.x, high.x - size.x - em(0.6f)), std::max(low.y, high.y - size.y - em(0.6f))};
+    const float top = std::max(low.y, high.y - size.y - em(0.6f));
+    const float aside = !state.legend_hidden && top < low.y + em(20) ? em(5.2f) : 0; // of the colour scale
+    const ImVec2 corner{std::max(low.x, high.x - size.x - em(0.6f) - aside), top};
     draw_keyhole_inset(list, fonts, corner, keyhole, *snapshot, state.look.theme);
     draw_news(state.keyhole, list, fonts, *snapshot, pane, corner.x, state.look.theme);
     state.widgets["keyhole"] = {corner.x, corner.y, size.x, size.y};

@@ -27,16 +27,31 @@ struct Grid {
     float head = 0, foot = 0, pad = 0;
 };
 
+/// They stand before the hidden ones.
+std::size_t n_visible(const Keyhole &keyhole) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(keyhole.emitters, [](const KeyholeEmitter &e) { return e.share > 0; }));
+}
+
+/// "and 3 more, less bright, and 2 hidden ones"; empty when all have a picture.
+std::string others(const Keyhole &keyhole, std::size_t n_pictures) {
+    const std::size_t visible = std::max(n_pictures, n_visible(keyhole)), hidden = keyhole.emitters.size() - visible;
+    std::string text = visible > n_pictures ? "and " + std::to_string(visible - n_pictures) + " more, less bright" : "";
+    if (hidden > 0)
+        text += (text.empty() ? "and " : ", and ") + std::to_string(hidden) + (hidden == 1 ? " hidden one" : " hidden ones");
+    return text;
+}
+
 Grid grid(const Fonts &fonts, const Keyhole &keyhole) {
     const float em = fonts.size;
     Grid g;
-    g.n = std::min(most_keyhole_pictures, keyhole.emitters.size());
+    g.n = std::min(keyhole.emitters.size(), std::clamp<std::size_t>(n_visible(keyhole), 1, most_keyhole_pictures));
     g.columns = g.n > 1 ? 2 : 1;
     g.rows = std::max(1, static_cast<int>(g.n + 1) / 2);
     g.side = (g.n > 1 ? 9.5f : 15) * em;
     g.caption = g.n == 0 ? 0 : 2.9f * em;
     g.head = 1.7f * em;
-    g.foot = keyhole.emitters.size() > g.n ? 1.5f * em : 0;
+    g.foot = others(keyhole, g.n).empty() ? 0 : 1.5f * em;
     g.pad = 0.6f * em;
     return g;
 }
@@ -130,9 +145,11 @@ std::string share_words(double share) {
     return number(percent < 0.995 || percent > 99.05 ? "%.2g" : "%.3g", percent > 99.94 ? 99.9 : percent) + " % visible";
 }
 
-std::string irradiance_words(const Rgb &e) {
+std::string irradiance_words(const Rgb &irradiance) {
+    const bool small = irradiance.maxCoeff() > 0 && irradiance.maxCoeff() < 0.0095;
+    const Rgb e = small ? Rgb(1e3 * irradiance) : irradiance;
     const std::string red = number("%.3g", e[0]), green = number("%.3g", e[1]), blue = number("%.3g", e[2]);
-    return (red == green && green == blue ? red : red + " " + green + " " + blue) + " W/m\u00b2";
+    return (red == green && green == blue ? red : red + " " + green + " " + blue) + (small ? " mW/m\u00b2" : " W/m\u00b2");
 }
 
 } // namespace
@@ -169,7 +186,7 @@ void draw_keyhole_inset(ImDrawList &list, const Fonts &fonts, ImVec2 corner, con
     }
     if (g.foot > 0)
         list.AddText(fonts.text, em, {corner.x + g.pad, corner.y + size.y - 1.4f * em}, ink(theme, 190),
-                     ("and " + std::to_string(keyhole.emitters.size() - g.n) + " more, less bright").c_str());
+                     others(keyhole, g.n).c_str());
 }
 
 void draw_keyhole_point(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const Camera &camera,
