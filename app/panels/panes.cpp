@@ -199,6 +199,7 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
             below = height;
     }
     draw_legends(state, list, fonts, arrangement, below);
+    draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
     ImGui::End();
     ImGui::PopStyleVar();

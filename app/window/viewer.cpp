@@ -231,7 +231,6 @@ float Viewer::legend_height(float width) const {
 
 void Viewer::draw_panels(const Arrangement &arrangement) {
     draw_panes(state_, arrangement, fonts_);
-    draw_keyhole(state_, arrangement, fonts_);
     if (!state_.panels_hidden) {
         draw_tool_bar(state_, arrangement.tool_bar);
         draw_side_panel(state_, arrangement.side);
