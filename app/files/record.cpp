@@ -42,6 +42,7 @@ Json final_state(const Snapshot *solution) {
                  {"kernel_evaluations", c.total_work.kernel_evaluations},
                  {"clips", c.total_work.clips},
                  {"rays", c.total_work.rays},
+                 {"snapped_cuts", c.total_work.snapped_cuts},
                  {"seconds", c.seconds},
                  {"peak_memory_mib", peak_memory_mib()},
                  {"error", solution && solution->error >= 0 ? Json(solution->error) : Json()},

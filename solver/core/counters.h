@@ -11,12 +11,16 @@ struct Work {
     std::int64_t clips = 0;              ///< a source clipped by the cone of one blocker, for one receiver point
     std::int64_t rays = 0;
     std::int64_t sampled_visibility = 0; ///< partly hidden evaluations that were sampled instead of clipped
+    /// Curves that came within rounding of something when a node was split: ends that the cut moved onto a corner, and
+    /// curves not cut along because they run along the cut or along a side.
+    std::int64_t snapped_cuts = 0;
 
     Work &operator+=(const Work &o) {
         kernel_evaluations += o.kernel_evaluations;
         clips += o.clips;
         rays += o.rays;
         sampled_visibility += o.sampled_visibility;
+        snapped_cuts += o.snapped_cuts;
         return *this;
     }
 };

@@ -1,6 +1,7 @@
 #include "iteration/candidates.h"
 
-#include <Eigen/QR>
+#include "discontinuity/tolerance.h"
+#include "iteration/sampled_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,108 +10,50 @@ namespace penumbra {
 
 namespace {
 
-constexpr int grid = 12, small_grid = 6; // samples a parameter: of the node, and of a small piece that a cut makes
-constexpr double small = 0.25;           // of the node's area
+constexpr double small = 0.25;        // of the node's area: a piece that is sampled on its own
 constexpr std::size_t most_cuts = 24; // of one node that are scored, the longest first
 
-using Samples = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
-/// Reflected radiosity that the failing sources bring to points of the node, each with the area it stands for.
-struct Field {
-    std::vector<Vec2> points;
-    std::vector<double> areas;
-    Samples values;
-};
-
-/// A grid over the node and one over every small piece that a cut would make, so that a narrow penumbra is seen. Where
-/// grids overlap a point stands for the inverse of their densities' sum.
-Field sample_field(const Setting &setting, const Transport &transport, const State &state, const Element &node,
-                   std::span<const Interaction *const> failing, std::span<const BilinearQuad> small_pieces, Work &work) {
-    struct Grid {
-        BilinearQuad quad;
-        Polygon outline;
-        int n;
-        double density(const Vec2 &p) const {
-            if (!contains(outline, p))
-                return 0;
-            const Vec2 uv = quad.inverse(p);
-            return n * n / std::max(quad.jacobian(uv.x(), uv.y()), 1e-300);
-        }
-    };
-    std::vector<Grid> grids{{node.basis.quad(), node.basis.outline(), grid}};
-    for (const BilinearQuad &piece : small_pieces)
-        grids.push_back({piece, piece.outline(), small_grid});
-    Field field;
-    for (const Grid &g : grids)
-        for (int i = 0; i < g.n; ++i)
-            for (int j = 0; j < g.n; ++j) {
-                const Vec2 p = g.quad.at((i + 0.5) / g.n, (j + 0.5) / g.n);
-                double density = 0;
-                for (const Grid &other : grids)
-                    density += other.density(p);
-                field.points.push_back(p);
-                field.areas.push_back(1 / density);
-            }
-    field.values = Samples::Zero(static_cast<Eigen::Index>(field.points.size()), 3);
-    for (const Interaction *interaction : failing)
-        field.values += sample(transport, state.forest, *interaction, field.points, state.radiosity, work);
-    field.values *= setting.reflectance(node.surface).matrix().asDiagonal();
-    return field;
-}
-
-/// Squared error of the least-squares fit over the quad. With few samples the degree is lowered so that there are at
-/// least two samples a coefficient: a fit through all points would show nothing.
-double misfit(const Field &field, const BilinearQuad &quad, int order) {
-    const Polygon outline = quad.outline();
-    std::vector<Eigen::Index> inside;
-    for (std::size_t i = 0; i < field.points.size(); ++i)
-        if (contains(outline, field.points[i]))
-            inside.push_back(static_cast<Eigen::Index>(i));
-    while (order > 1 && 2 * order * order > static_cast<int>(inside.size()))
-        --order;
-    if (inside.empty())
-        return 0;
-    const ElementBasis basis(order, quad);
-    Eigen::MatrixXd a(static_cast<Eigen::Index>(inside.size()), basis.n_functions());
-    Samples values(a.rows(), 3);
-    for (Eigen::Index i = 0; i < a.rows(); ++i) {
-        const auto from = static_cast<std::size_t>(inside[static_cast<std::size_t>(i)]);
-        const double weight = std::sqrt(field.areas[from]);
-        a.row(i) = weight * basis.evaluate(field.points[from]).transpose();
-        values.row(i) = weight * field.values.row(static_cast<Eigen::Index>(from));
-    }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
-    return (values - a * qr.solve(values)).squaredNorm();
-}
-
-double misfit(const Field &field, std::span<const BilinearQuad> quads, int order) {
-    double sum = 0;
-    for (const BilinearQuad &quad : quads)
-        sum += misfit(field, quad, order);
-    return sum;
-}
-
 struct CurveCut {
-    CurveId curve;
-    double length; // inside the node
+    CurveSegment segment; // inside the node
     CutPlan plan;
+
+    double length() const { return (segment.to - segment.from).norm(); }
+    HalfPlane line() const {
+        const Vec2 d = (segment.to - segment.from).normalized();
+        return {-d.y(), d.x(), cross(segment.from, d)};
+    }
 };
 
+/// Cuts along the curves of the failing sources; curves that part nothing from the node are counted.
 std::vector<CurveCut> curve_cuts(const Setting &setting, const Element &node,
-                                 std::span<const Interaction *const> failing) {
+                                 std::span<const Interaction *const> failing, int &n_along_sides) {
     std::vector<CurveCut> cuts;
     std::vector<SurfaceId> sources;
     for (const Interaction *interaction : failing)
         sources.push_back(interaction->source);
     for (const CurveSegment &segment : setting.curves.crossing(node.surface, node.basis.outline(), sources)) {
-        const Vec2 d = (segment.to - segment.from).normalized();
-        if (auto plan = plan_cut(node, {-d.y(), d.x(), cross(segment.from, d)}))
-            cuts.push_back({segment.curve, (segment.to - segment.from).norm(), std::move(*plan)});
+        CurveCut candidate{segment, {}};
+        if (auto plan = plan_cut(node, candidate.line())) {
+            candidate.plan = std::move(*plan);
+            cuts.push_back(std::move(candidate));
+        } else {
+            ++n_along_sides;
+        }
     }
     std::ranges::stable_sort(cuts, std::greater<>(), &CurveCut::length);
     if (cuts.size() > most_cuts)
         cuts.resize(most_cuts);
     return cuts;
+}
+
+/// Ends that the cut moved onto corners, and other curves that run along it: they will be sides of the children.
+int n_snapped(const std::vector<CurveCut> &cuts, const CurveCut &made) {
+    const HalfPlane line = made.line();
+    const auto along = [&](const CurveCut &c) {
+        return &c != &made && std::abs(line.value(c.segment.from)) < 2 * coincidence &&
+               std::abs(line.value(c.segment.to)) < 2 * coincidence;
+    };
+    return made.plan.n_snapped + static_cast<int>(std::ranges::count_if(cuts, along));
 }
 
 } // namespace
@@ -120,32 +63,43 @@ std::optional<Split> best_split(const Setting &setting, const Transport &transpo
     const Element &node = state.forest[id];
     const bool may_subdivide = node.half_depth + 2 <= 2 * setting.options.max_depth;
     std::vector<CurveCut> cuts;
+    int n_along_sides = 0;
     if (cuts_along_curves(setting.options.strategy))
-        cuts = curve_cuts(setting, node, failing);
-    if (cuts.empty())
-        return may_subdivide ? std::optional(Split{}) : std::nullopt;
-    if (cuts.size() == 1 && !may_subdivide)
-        return Split{cuts[0].plan, cuts[0].curve, 0};
-
-    const int order = node.basis.order();
-    std::vector<BilinearQuad> small_pieces;
-    for (const CurveCut &candidate : cuts)
-        for (const BilinearQuad &piece : candidate.plan.leaves())
-            if (piece.area() < small * node.basis.area())
-                small_pieces.push_back(piece);
-    const Field field = sample_field(setting, transport, state, node, failing, small_pieces, work);
-    const double now = misfit(field, node.basis.quad(), order);
-    const auto score = [&](std::span<const BilinearQuad> children) {
-        const double added = static_cast<double>((children.size() - 1) * static_cast<std::size_t>(order * order));
-        return (now - misfit(field, children, order)) / added;
-    };
+        cuts = curve_cuts(setting, node, failing, n_along_sides);
     std::optional<Split> best;
     if (may_subdivide)
-        best = Split{std::nullopt, std::nullopt, score(uniform_children(node.basis.quad()))};
-    for (const CurveCut &candidate : cuts) {
-        const double value = score(candidate.plan.leaves());
-        if (!best || value > best->score)
-            best = Split{candidate.plan, candidate.curve, value};
+        best.emplace();
+    const CurveCut *made = nullptr;
+    if (cuts.size() == 1 && !may_subdivide) {
+        made = &cuts.front();
+        best.emplace();
+    } else if (!cuts.empty()) {
+        const int order = node.basis.order();
+        std::vector<BilinearQuad> small_pieces;
+        for (const CurveCut &candidate : cuts)
+            for (const BilinearQuad &piece : candidate.plan.leaves())
+                if (piece.area() < small * node.basis.area())
+                    small_pieces.push_back(piece);
+        const SampledField field = sample_field(setting, transport, state, node, failing, small_pieces, work);
+        const double now = misfit(field, node.basis.quad(), order);
+        const auto score = [&](std::span<const BilinearQuad> children) {
+            const double added = static_cast<double>((children.size() - 1) * static_cast<std::size_t>(order * order));
+            return (now - misfit(field, children, order)) / added;
+        };
+        if (may_subdivide)
+            best->score = score(uniform_children(node.basis.quad()));
+        for (const CurveCut &candidate : cuts)
+            if (const double value = score(candidate.plan.leaves()); !best || value > best->score) {
+                made = &candidate;
+                best = Split{{}, {}, value};
+            }
+    }
+    if (best)
+        work.snapped_cuts += n_along_sides;
+    if (made) {
+        best->cut = made->plan;
+        best->curve = made->segment.curve;
+        work.snapped_cuts += n_snapped(cuts, *made);
     }
     return best;
 }
