@@ -87,7 +87,7 @@ std::optional<Vec3> direction_in_plane(const SnapshotCurve &curve, const Vec3 &x
     double low = -std::numbers::pi / 2, high = -low;
     for (const SnapshotEdge &edge : curve.touched) {
         const auto angle = [&](const Vec3 &end) { return std::atan2((end - x).dot(n.cross(u)), (end - x).dot(u)); };
-        const auto [from, to] = std::minmax(angle(edge.a), angle(edge.b));
+        const auto [from, to] = std::minmax({angle(edge.a), angle(edge.b)});
         low = std::max(low, from);
         high = std::min(high, to);
     }
