@@ -153,14 +153,34 @@ std::int32_t seen_edge_on(const Snapshot &snapshot, const SnapshotCurve &curve) 
     return best;
 }
 
-std::vector<Vec3> hull_with(const SnapshotSurface &surface, const std::vector<Vec3> &points) {
-    Polygon all = surface.outline;
+/// Convex hull of points of a plane.
+std::vector<Vec3> hull(const Vec3 &origin, const Vec3 &u, const Vec3 &v, const std::vector<Vec3> &points) {
+    Polygon all;
     for (const Vec3 &p : points)
-        all.emplace_back((p - surface.origin).dot(surface.u), (p - surface.origin).dot(surface.v));
-    std::vector<Vec3> hull;
+        all.emplace_back((p - origin).dot(u), (p - origin).dot(v));
+    std::vector<Vec3> corners;
     for (const Vec2 &p : convex_hull(all))
-        hull.emplace_back(surface.origin + p.x() * surface.u + p.y() * surface.v);
-    return hull;
+        corners.emplace_back(origin + p.x() * u + p.y() * v);
+    return corners;
+}
+
+std::vector<Vec3> hull_with(const SnapshotSurface &surface, std::vector<Vec3> points) {
+    for (const Vec2 &p : surface.outline)
+        points.emplace_back(surface.origin + p.x() * surface.u + p.y() * surface.v);
+    return hull(surface.origin, surface.u, surface.v, points);
+}
+
+/// Of edges that lie in one plane with the curve.
+std::vector<Vec3> hull_with(const SnapshotCurve &curve) {
+    std::vector<Vec3> points = curve.points;
+    for (const SnapshotEdge &edge : curve.touched)
+        points.insert(points.end(), {edge.a, edge.b});
+    const Vec3 u = (curve.points.back() - curve.points.front()).normalized();
+    Vec3 v = Vec3::Zero();
+    for (const Vec3 &p : points)
+        if (const Vec3 off = (p - curve.points.front()) - (p - curve.points.front()).dot(u) * u; off.norm() > v.norm())
+            v = off;
+    return hull(curve.points.front(), u, v.normalized(), points);
 }
 
 } // namespace
@@ -176,6 +196,9 @@ CriticalSurface critical_surface(const Snapshot &snapshot, const SnapshotCurve &
     for (const Vec3 &x : evenly(curve.points, n))
         if (auto sight = line_of_sight(snapshot, curve, x); !sight.empty())
             surface.sights.push_back(std::move(sight));
+    const auto is_corner = [](const SnapshotEdge &edge) { return edge.is_corner(); };
+    if (surface.sights.empty() && std::ranges::none_of(curve.touched, is_corner))
+        surface.sheet = hull_with(curve);
     return surface;
 }
 
