@@ -122,14 +122,16 @@ private:
                 if (judgements_[e][i].verdict == Verdict::fail)
                     failing[e].push_back(state_.interactions[e][i].get());
             Element &element = state_.forest.elements[e];
-            element.at_limit = false;
             if (!failing[e].empty() && element.leaf())
                 to_split.push_back(e);
+            else
+                element.at_limit = false;
         }
         std::vector<std::optional<Split>> splits(to_split.size());
         std::vector<Work> work(to_split.size());
         parallel_for(to_split.size(), [&](std::size_t i) {
-            splits[i] = best_split(setting_, transport_, state_, ElementId(to_split[i]), failing[to_split[i]], work[i]);
+            const ElementId node(to_split[i]);
+            splits[i] = best_split(setting_, transport_, state_, node, failing[node.at()], allowed_, work[i]);
         });
         for (const Work &w : work)
             state_.counters.work += w;
@@ -164,7 +166,7 @@ private:
                 worst = judgements_[node.at()][i].misfit;
                 source = state_.interactions[node.at()][i]->source;
             }
-        std::string how = "split in four";
+        std::string how = split.cut ? "cut in a straight line" : "split in four";
         if (split.curve) {
             const Curve &curve = setting_.curves.curve(*split.curve);
             how = "cut along the " + std::string(name(curve.kind)) + " curve of " + surface_name(curve.source);
