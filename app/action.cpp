@@ -62,6 +62,8 @@ void change_exposure(State &s, double ev) {
 void cancel(State &s) {
     if (s.help_open || s.open_dialog) {
         s.help_open = s.open_dialog = false;
+    } else if (s.pinned_curve) {
+        s.pinned_curve.reset();
     } else if (can_cancel(s)) {
         s.cancel_request = true;
         s.halted = true;

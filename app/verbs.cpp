@@ -47,6 +47,9 @@ void start_anew(AppState &state) {
 void apply(AppState &state, const Opened &opened) {
     const bool same = state.scene && state.scene->name == opened.scene->name;
     state.scene = opened.scene;
+    state.hovered_curve.reset();
+    state.pinned_curve.reset();
+    state.look.curve_filter.source = -1;
     state.opening.clear();
     state.playing = false;
     state.position = 0;
@@ -176,6 +179,10 @@ void fit_view(AppState &state) {
         state.camera_moved = true;
         state.pivot.reset();
     }
+}
+
+Spotlight spotlight(const AppState &state) {
+    return {state.pinned_curve.value_or(state.hovered_curve.value_or(-1))};
 }
 
 void apply(AppState &state, const Report &report) {

@@ -5,6 +5,7 @@
 #include "commands/look_options.h"
 #include "commands/solving_options.h"
 #include "commands/terminal.h"
+#include "core/error.h"
 #include "core/parallel.h"
 #include "files/picture_state.h"
 #include "render/picture.h"
@@ -26,6 +27,24 @@ struct RenderOptions {
     std::optional<int> steps; ///< none: to the fixed point
     LookOptions look;
 };
+
+/// The surface of that number, or the first of that name; BadInput when there is none.
+int find_surface(const Snapshot &snapshot, const std::string &text) {
+    for (std::size_t i = 0; i < snapshot.surfaces.size(); ++i)
+        if (text == std::to_string(i) || text == snapshot.surfaces[i].name)
+            return static_cast<int>(i);
+    throw BadInput("--curve-source " + text + ": the scene has no surface of that name or number; there are " +
+                   std::to_string(snapshot.surfaces.size()) + ", counted from 0");
+}
+
+/// What the options say of curves, now that these are known.
+void choose_curves(const LookOptions &options, const Snapshot &snapshot, Look &look) {
+    if (!options.curve_source.empty())
+        look.curve_filter.source = find_surface(snapshot, options.curve_source);
+    if (const auto n = static_cast<int>(snapshot.curves->size()); look.spotlight.curve >= n)
+        throw BadInput("--curve " + std::to_string(look.spotlight.curve) + ": the scene has " + std::to_string(n) +
+                       " curves, counted from 0; 'penumbra curves' lists them");
+}
 
 int run(const SolvingOptions &solving, const RenderOptions &options, const CommonOptions &common) {
     check_deliverable(common.output);
@@ -58,6 +77,7 @@ int run(const SolvingOptions &solving, const RenderOptions &options, const Commo
         }
     }
     const Snapshot &first = *spec.panes.front().snapshot;
+    choose_curves(options.look, first, spec.look);
     Scene seen = *scene;
     if (options.look.view)
         seen.view = options.look.view;

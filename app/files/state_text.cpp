@@ -1,5 +1,7 @@
 #include "files/state_text.h"
 
+#include "files/curves_json.h"
+
 #include <nlohmann/json.hpp>
 
 namespace penumbra {
@@ -38,6 +40,9 @@ Json saved(const AppState &s) {
                    {"links", s.look.layers.links},
                    {"fresh", s.look.emphasise_fresh},
                    {"legend", !s.legend_hidden}};
+    Look look = s.look;
+    look.spotlight.curve = s.pinned_curve.value_or(-1);
+    j["curves"] = curves_json(look);
     j["shading"] = name(s.look.shading);
     j["false_colour"] = s.look.false_colour;
     j["exposure"] = s.look.exposure_ev;
@@ -84,6 +89,8 @@ std::string observed_state_text(const AppState &s) {
     j["pivot"] = s.pivot ? triple(*s.pivot) : Json();
     j["under_cursor"] = s.under_cursor ? Json{{"surface", s.under_cursor->surface}, {"patch", s.under_cursor->patch}}
                                        : Json();
+    j["hovered_curve"] = s.hovered_curve ? Json(*s.hovered_curve) : Json();
+    j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
     j["picture"] = s.last_picture;
     j["inputs"] = s.inputs;
     j["cancel_ms"] = s.cancel_ms;

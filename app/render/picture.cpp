@@ -1,6 +1,7 @@
 #include "render/picture.h"
 
 #include "gl/framebuffer.h"
+#include "render/event_note.h"
 #include "render/overlay.h"
 #include "render/pane_renderer.h"
 
@@ -15,7 +16,7 @@ struct Layout {
     float text = 15;
     std::vector<PixelRect> cells; ///< of the panes with their labels
     std::vector<PixelRect> views; ///< of the drawing below the label
-    PixelRect legend;
+    PixelRect note, legend;
 };
 
 float text_height(const PictureSpec &spec) {
@@ -26,10 +27,16 @@ float text_height(const PictureSpec &spec) {
 
 int n_rows(const PictureSpec &spec) { return (static_cast<int>(spec.panes.size()) + spec.columns - 1) / spec.columns; }
 
-Layout layout(const PictureSpec &spec, int legend_height, int label_height) {
+/// Heights of the parts that hold text, which depend on how the text breaks into lines.
+struct TextHeights {
+    int legend = 0, label = 0, note = 0;
+};
+
+Layout layout(const PictureSpec &spec, const TextHeights &heights) {
     Layout result;
     const int gap = spec.panes.size() > 1 ? static_cast<int>(text_height(spec) / 2) : 0, rows = std::max(1, n_rows(spec));
-    const int height = spec.height - legend_height - (rows - 1) * gap, width = spec.width - (spec.columns - 1) * gap;
+    const int below = heights.legend + heights.note, label_height = heights.label;
+    const int height = spec.height - below - (rows - 1) * gap, width = spec.width - (spec.columns - 1) * gap;
     for (int i = 0; i < static_cast<int>(spec.panes.size()); ++i) {
         const int row = i / spec.columns, column = i % spec.columns;
         const PixelRect cell{column * (width / spec.columns + gap), row * (height / rows + gap), width / spec.columns,
@@ -37,7 +44,8 @@ Layout layout(const PictureSpec &spec, int legend_height, int label_height) {
         result.cells.push_back(cell);
         result.views.push_back({cell.x, cell.y + label_height, cell.width, std::max(1, cell.height - label_height)});
     }
-    result.legend = {0, spec.height - legend_height, spec.width, legend_height};
+    result.note = {0, spec.height - below, spec.width, heights.note};
+    result.legend = {0, spec.height - heights.legend, spec.width, heights.legend};
     return result;
 }
 
@@ -61,10 +69,24 @@ bool have_same_footnote(const PictureSpec &spec) {
     return true;
 }
 
-/// Heights of the parts that hold text, which depend on how the text breaks into lines.
-struct TextHeights {
-    int legend = 0, label = 0;
-};
+/// The curve in the limelight; null when there is none.
+const SnapshotCurve *noted_curve(const PictureSpec &spec) {
+    const int chosen = spec.look.spotlight.curve;
+    if (spec.panes.empty() || !spec.panes.front().snapshot->curves)
+        return nullptr;
+    const auto &curves = *spec.panes.front().snapshot->curves;
+    return chosen >= 0 && chosen < static_cast<int>(curves.size()) ? &curves[static_cast<std::size_t>(chosen)] : nullptr;
+}
+
+/// What that curve is, above `bottom`; measured only when there is no list. Returns its height.
+float draw_note(ImDrawList *list, const Fonts &fonts, const PictureSpec &spec, float bottom) {
+    const SnapshotCurve *curve = noted_curve(spec);
+    if (!curve)
+        return 0;
+    return draw_event_note(list, fonts, {0.6f * fonts.size, bottom}, static_cast<float>(spec.width) - 1.2f * fonts.size,
+                           event_words(*spec.panes.front().snapshot, *curve), curve_colour(curve->kind), spec.look.theme)
+        .y;
+}
 
 TextHeights measure(const PictureSpec &spec, const Fonts &fonts, const std::vector<const Snapshot *> &snapshots) {
     TextHeights heights;
@@ -74,6 +96,7 @@ TextHeights measure(const PictureSpec &spec, const Fonts &fonts, const std::vect
             PaneLabel label = pane_label(*pane.snapshot, pane.tag);
             heights.label = std::max(heights.label, static_cast<int>(std::ceil(pane_label_height(fonts, static_cast<float>(spec.width / spec.columns) - em, label))));
         }
+    heights.note = static_cast<int>(std::ceil(draw_note(nullptr, fonts, spec, 0)));
     if (spec.legend) {
         const float lines = line_legend_size(fonts, 0.52f * static_cast<float>(spec.width), spec.look, snapshots).y;
         heights.legend = static_cast<int>(std::ceil(std::max(5.1f * em, lines) + 0.7f * em));
@@ -84,9 +107,11 @@ TextHeights measure(const PictureSpec &spec, const Fonts &fonts, const std::vect
 } // namespace
 
 double pane_aspect(const PictureSpec &spec) {
-    // Text heights are estimated: two lines of label, four of legend.
+    // Text heights are estimated: two lines of label, four of legend, two of a note.
     const float em = text_height(spec);
-    const Layout l = layout(spec, spec.legend ? static_cast<int>(5.9f * em) : 0, spec.labels ? static_cast<int>(3.4f * em) : 0);
+    const auto part = [&](bool there, float lines) { return there ? static_cast<int>(lines * em) : 0; };
+    const Layout l = layout(
+        spec, {part(spec.legend, 5.9f), part(spec.labels, 3.4f), part(noted_curve(spec) != nullptr, 3.6f)});
     return l.views.empty() ? 1 : l.views.front().aspect();
 }
 
@@ -103,7 +128,7 @@ Image draw_picture(const PictureSpec &spec) {
     const gl::Framebuffer picture(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 1);
     Overlay overlay(spec.width, spec.height, text_height(spec));
     const TextHeights heights = measure(spec, overlay.fonts(), snapshots);
-    const Layout l = layout(spec, heights.legend, heights.label);
+    const Layout l = layout(spec, heights);
     const PixelScale scale{overlay.fonts().size / 15.0};
 
     canvas.bind();
@@ -113,7 +138,7 @@ Image draw_picture(const PictureSpec &spec) {
     glClear(GL_COLOR_BUFFER_BIT);
     PaneRenderer renderer;
     for (std::size_t i = 0; i < spec.panes.size(); ++i) {
-        renderer.upload(*spec.panes[i].snapshot);
+        renderer.upload(spec.panes[i].snapshot);
         renderer.draw(spec.camera, look, l.views[i], spec.height, scale);
     }
     picture.resolve(canvas);
@@ -134,6 +159,7 @@ Image draw_picture(const PictureSpec &spec) {
             label.footnote.clear();
             draw_pane_label(list, overlay.fonts(), low, high, label, look.theme);
         }
+    draw_note(&list, overlay.fonts(), spec, static_cast<float>(l.note.y + l.note.height));
     if (spec.legend) {
         const ImVec2 at = corner(l.legend);
         const float bar_width = 0.34f * static_cast<float>(spec.width);

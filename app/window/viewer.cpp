@@ -152,12 +152,13 @@ void Viewer::update_range() {
         state_.look.range = common_range(snapshots);
 }
 
-/// Whether the camera has moved a moment ago.
+/// Whether the camera, or the mouse from curve to curve, has moved a moment ago.
 bool Viewer::is_moving() {
-    if (!drawn_camera_ || *drawn_camera_ != state_.camera) {
+    if (!drawn_camera_ || *drawn_camera_ != state_.camera || drawn_spotlight_ != spotlight(state_)) {
         if (drawn_camera_) // the first view comes at rest
             moved_at_ = Clock::now();
         drawn_camera_ = state_.camera;
+        drawn_spotlight_ = spotlight(state_);
     }
     return seconds_since(moved_at_) < rest_seconds;
 }
@@ -166,6 +167,7 @@ bool Viewer::is_moving() {
 Look Viewer::look_now() const {
     Look look = state_.look;
     look.emphasise_fresh = look.emphasise_fresh && seconds_since(state_.fresh_since) < fresh_seconds;
+    look.spotlight = spotlight(state_);
     return look;
 }
 

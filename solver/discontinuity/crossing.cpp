@@ -16,7 +16,7 @@ void Crossing::add(const Vec3 &x, const Vec3 &direction) {
 
 Crossing cross_facet(const Wedge &wedge, const Facet &facet) {
     Crossing crossing;
-    const Vec3 direction = wedge.normal.cross(facet.normal);
+    const Vec3 direction = wedge.normal.cross(facet.frame.normal);
     const std::size_t n = facet.corners.size();
     int previous = wedge.side(facet.corners[n - 1]);
     for (std::size_t i = 0; i < n; ++i) {

@@ -26,7 +26,7 @@ bool on_line(const Graze &graze, const Vec3 &p, const Vec3 &q) {
 }
 
 /// Distance along the ray, in units of the direction, at which it first meets the figure; infinite when it does not.
-double first_hit(const Polygon &figure, const Vec2 &origin, const Vec2 &direction) {
+double hit(const Polygon &figure, const Vec2 &origin, const Vec2 &direction) {
     double nearest = never;
     for (std::size_t i = 0; i < figure.size(); ++i) {
         const Vec2 a = figure[i] - origin, b = figure[(i + 1) % figure.size()] - origin;
@@ -40,10 +40,31 @@ double first_hit(const Polygon &figure, const Vec2 &origin, const Vec2 &directio
     return nearest;
 }
 
-double first_hit(const std::vector<Polygon> &figures, const Vec2 &origin, const Vec2 &direction) {
+bool sees(const EdgeOnScene &scene, std::span<const Vec2> points, const Vec2 &x) {
+    return std::ranges::any_of(directions_between(points, x), [&](const Vec2 &direction) {
+        const double target = first_hit(scene.targets, x, direction);
+        return target < never && first_hit(scene.blockers, x, direction) >= target &&
+               (scene.masks.empty() || first_hit(scene.masks, x, direction) < target);
+    });
+}
+
+/// Pieces of the line between the points where the order of what is seen may change.
+IntervalSet pieces_that_see(const EdgeOnScene &scene, IntervalSet line) {
+    const std::vector<Vec2> points = points_of(scene);
+    split_between(points, line);
+    IntervalSet seeing;
+    for (const Interval &piece : line.intervals())
+        if (sees(scene, points, Vec2(piece.middle(), 0)))
+            seeing.unite(piece);
+    return seeing;
+}
+
+} // namespace
+
+double first_hit(std::span<const Polygon> figures, const Vec2 &origin, const Vec2 &direction) {
     double nearest = never;
     for (const Polygon &figure : figures)
-        nearest = std::min(nearest, first_hit(figure, origin, direction));
+        nearest = std::min(nearest, hit(figure, origin, direction));
     return nearest;
 }
 
@@ -55,39 +76,33 @@ std::vector<Vec2> points_of(const EdgeOnScene &scene) {
     return points;
 }
 
-bool sees(const EdgeOnScene &scene, const std::vector<Vec2> &points, const Vec2 &x) {
+void split_between(std::span<const Vec2> points, IntervalSet &line) {
+    if (line.empty())
+        return;
+    std::vector<double> places;
+    const double low = line.intervals().front().low, high = line.intervals().back().high;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = i + 1; j < points.size(); ++j)
+            if (const double rise = points[j].y() - points[i].y(); std::abs(rise) > coincidence)
+                if (const double at = points[i].x() - points[i].y() / rise * (points[j].x() - points[i].x());
+                    at > low && at < high)
+                    places.push_back(at);
+    line.split(std::move(places));
+}
+
+std::vector<Vec2> directions_between(std::span<const Vec2> points, const Vec2 &x) {
     std::vector<double> angles;
     for (const Vec2 &p : points)
         angles.push_back(std::atan2(p.y(), p.x() - x.x()));
     std::ranges::sort(angles);
-    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-        if (angles[i + 1] - angles[i] < coincidence)
-            continue;
-        const double angle = (angles[i] + angles[i + 1]) / 2;
-        const Vec2 direction(std::cos(angle), std::sin(angle));
-        const double target = first_hit(scene.targets, x, direction);
-        if (target < never && first_hit(scene.blockers, x, direction) >= target &&
-            (scene.masks.empty() || first_hit(scene.masks, x, direction) < target))
-            return true;
-    }
-    return false;
+    std::vector<Vec2> directions;
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i)
+        if (angles[i + 1] - angles[i] >= coincidence) {
+            const double angle = (angles[i] + angles[i + 1]) / 2;
+            directions.emplace_back(std::cos(angle), std::sin(angle));
+        }
+    return directions;
 }
-
-/// Pieces of the line between the points where the order of what is seen may change.
-IntervalSet pieces_that_see(const EdgeOnScene &scene, IntervalSet line) {
-    const std::vector<Vec2> points = points_of(scene);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = i + 1; j < points.size(); ++j)
-            if (const double rise = points[j].y() - points[i].y(); std::abs(rise) > coincidence)
-                line.split(points[i].x() - points[i].y() / rise * (points[j].x() - points[i].x()));
-    IntervalSet seeing;
-    for (const Interval &piece : line.intervals())
-        if (sees(scene, points, Vec2(piece.middle(), 0)))
-            seeing.unite(piece);
-    return seeing;
-}
-
-} // namespace
 
 std::optional<Wedge> plane_of(const Facet &facet, const PlaneFrame &receiver) {
     // The widest corner in front of the receiver: its plane is the best conditioned.
@@ -120,13 +135,14 @@ Polygon flattened(const Wedge &plane, const std::vector<Vec3> &corners) {
     return flat;
 }
 
-EdgeOnScene edge_on_scene(const SourceView &view, const Wedge &plane, int front) {
+EdgeOnScene edge_on_scene(const SourceView &view, std::span<const std::size_t> facets, const Wedge &plane, int front) {
     EdgeOnScene scene;
     for (const Facet &part : view.source_parts)
         if (const Crossing c = cross_facet(plane, part); c.through() || c.along_edge())
             scene.targets.push_back(flattened(plane, {c.p, c.q}));
     std::vector<Graze> bordering;
-    for (const Facet &facet : view.facets) {
+    for (const std::size_t f : facets) {
+        const Facet &facet = view.facets[f];
         if (std::abs(plane.height(facet.centre)) > facet.radius + coincidence)
             continue;
         const Crossing c = cross_facet(plane, facet);

@@ -59,6 +59,22 @@ void IntervalSet::split(double at) {
     }
 }
 
+void IntervalSet::split(std::vector<double> places) {
+    std::ranges::sort(places);
+    std::vector<Interval> pieces;
+    auto place = places.begin();
+    for (Interval i : intervals_) {
+        place = std::upper_bound(place, places.end(), i.low);
+        for (; place != places.end() && *place < i.high; ++place)
+            if (*place > i.low) {
+                pieces.push_back({i.low, *place});
+                i.low = *place;
+            }
+        pieces.push_back(i);
+    }
+    intervals_ = std::move(pieces);
+}
+
 void IntervalSet::drop_shorter(double length) {
     std::erase_if(intervals_, [&](const Interval &i) { return i.length() < length; });
 }

@@ -38,6 +38,8 @@ public:
     void clip(const IntervalSet &other);
     /// Cuts the intervals at a parameter; the pieces stay in the set.
     void split(double at);
+    /// The same at many.
+    void split(std::vector<double> places);
     /// Drops what is shorter than `length`.
     void drop_shorter(double length);
 

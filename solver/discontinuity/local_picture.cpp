@@ -47,7 +47,7 @@ void LocalPicture::add_border(Figure &figure, double nearness, const Vec2 &along
 }
 
 Meeting LocalPicture::meet(const Facet &facet, Figure &figure) {
-    const double facing = facet.normal.dot(eye_.along), slack = touch + 2 * facet.bend;
+    const double facing = facet.frame.normal.dot(eye_.along), slack = touch + 2 * facet.bend;
     if (facet.radius * std::abs(facing) <= slack)
         return meet_edge_on(facet, figure);
     const std::size_t n = facet.corners.size();
@@ -75,9 +75,9 @@ Meeting LocalPicture::meet(const Facet &facet, Figure &figure) {
 
 Meeting LocalPicture::meet_edge_on(const Facet &facet, Figure &figure) {
     const double slack = touch + 2 * facet.bend;
-    if (std::abs((facet.corners[0] - eye_.from).dot(facet.normal)) > slack)
+    if (std::abs((facet.corners[0] - eye_.from).dot(facet.frame.normal)) > slack)
         return Meeting::apart;
-    const Vec3 beside = facet.normal.cross(eye_.along).normalized();
+    const Vec3 beside = facet.frame.normal.cross(eye_.along).normalized();
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     const std::size_t n = facet.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -182,34 +182,62 @@ bool LocalPicture::changes() {
     return one != other;
 }
 
-double LocalPicture::seen_far_away(const Vec2 &towards, double side) const {
+template <class Visit>
+void LocalPicture::for_each_strip(const Vec2 &towards, double side, const Visit &visit) const {
     constexpr double reach = 4;
     const Vec2 across(-towards.y(), towards.x());
-    std::vector<double> places{-reach, reach};
-    for (const Line &line : lines_)
-        if (std::abs(cross(line.along, towards)) <= slight)
-            places.push_back(place(line, side).dot(across));
-    std::ranges::sort(places);
-    const auto seen = [&](double offset) {
-        return sees(side, [&](const Line &line) {
-            const double away = cross(line.along, towards);
-            return std::abs(away) > slight ? away
-                                           : line.along.dot(towards) * (offset - place(line, side).dot(across));
-        });
-    };
+    std::vector<std::pair<double, std::size_t>> borders{{-reach, lines_.size()}, {reach, lines_.size()}};
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+        if (std::abs(cross(lines_[i].along, towards)) <= slight)
+            borders.emplace_back(place(lines_[i], side).dot(across), i);
+    std::ranges::sort(borders);
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+        const double width = borders[i + 1].first - borders[i].first;
+        if (width <= slight)
+            continue;
+        const double offset = borders[i].first + width / 2;
+        visit(width, sees(side, [&](const Line &line) {
+                  const double away = cross(line.along, towards);
+                  return std::abs(away) > slight ? away
+                                                 : line.along.dot(towards) * (offset - place(line, side).dot(across));
+              }),
+              borders[i + 1].second);
+    }
+}
+
+double LocalPicture::seen_far_away(const Vec2 &towards, double side) const {
     double sum = 0;
-    for (std::size_t i = 0; i + 1 < places.size(); ++i)
-        if (places[i + 1] - places[i] > slight && seen((places[i] + places[i + 1]) / 2))
-            sum += places[i + 1] - places[i];
+    for_each_strip(towards, side, [&](double width, bool seen, std::size_t) { sum += seen ? width : 0; });
     return sum;
 }
 
 bool LocalPicture::kinks(const Vec3 &trace) const {
-    const Vec2 towards = Vec2(trace.dot(u_), trace.dot(v_)).normalized();
+    const Vec2 towards = in_picture(trace);
     for (const Vec2 &end : {towards, Vec2(-towards)})
         if (std::abs(seen_far_away(end, 1) + seen_far_away(end, -1) - 2 * seen_far_away(end, 0)) > 10 * slight)
             return true;
     return false;
+}
+
+bool LocalPicture::strips_change(const Vec3 &trace) {
+    bounding_.assign(lines_.size(), 0);
+    if (hidden_ || !any_source_)
+        return false;
+    const Vec2 towards = in_picture(trace);
+    const auto bounds = [&](double side) {
+        std::vector<std::size_t> lines;
+        std::optional<std::pair<bool, std::size_t>> before;
+        for_each_strip(towards, side, [&](double, bool seen, std::size_t line) {
+            if (before && before->first != seen)
+                lines.push_back(before->second);
+            before = {seen, line};
+        });
+        for (const std::size_t line : lines)
+            bounding_[line] = 1;
+        return lines;
+    };
+    const auto one = bounds(1), other = bounds(-1);
+    return one != other;
 }
 
 std::vector<SurfaceId> LocalPicture::bounding() const {

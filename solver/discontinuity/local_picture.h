@@ -32,7 +32,11 @@ public:
     /// Whether what is seen changes its area with a kink, that is, over a length that does not vanish: edges in one
     /// plane with the eye, whose trace in the picture runs along `trace` (in space). The order of the event is then 1.
     bool kinks(const Vec3 &trace) const;
-    /// Surfaces of the blockers that bound the visible part about the line on either side, ascending; after changes().
+    /// The same along lines in one plane with the eye whose traces in the picture run along `trace` (in space) without
+    /// an end: whether other ones bound the visible part, a strip between two closes. The order of the event is 1.
+    bool strips_change(const Vec3 &trace);
+    /// Surfaces of the blockers that bound the visible part about the line on either side, ascending; after changes() or
+    /// strips_change().
     std::vector<SurfaceId> bounding() const;
 
 private:
@@ -62,7 +66,10 @@ private:
     bool sees_beside(const Vec2 &at, const Vec2 &towards, double side) const;
     bool is_corner(const Vec2 &at, double side) const;
     Shape shape(double side) const;
+    /// Far away along `towards` the picture is one of strips: calls visit(width, seen, line at its far border).
+    template <class Visit> void for_each_strip(const Vec2 &towards, double side, const Visit &visit) const;
     double seen_far_away(const Vec2 &towards, double side) const;
+    Vec2 in_picture(const Vec3 &direction) const { return Vec2(direction.dot(u_), direction.dot(v_)).normalized(); }
 
     SightLine eye_;
     Vec3 u_, v_; ///< with eye_.along a right-handed frame

@@ -27,6 +27,8 @@ public:
     std::vector<Vec3> add(std::span<const Vec3> outline);
     void add_corner(const Vec3 &corner) { id_of(corner); }
     void add_edge(const Vec3 &a, const Vec3 &b);
+    /// Adds a corner wherever two edges cross or touch between their ends, to within `reach`.
+    void add_crossings(double reach);
 
     const std::vector<Vec3> &corners() const { return corners_; }
     /// Each once, by the order in which its corners were added.

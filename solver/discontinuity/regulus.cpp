@@ -7,19 +7,10 @@ namespace penumbra {
 
 namespace {
 
-/// Edges are coplanar when the volume they span is below this share of the box with their lengths and distance.
-constexpr double flat = 1e-9;
-
 /// ((p + s d) . a) (c + s e), and the like: products of two linear polynomials.
 Quadratic product(double a0, double a1, double b0, double b1) { return {{a0 * b0, a0 * b1 + a1 * b0, a1 * b1}}; }
 Quadratic minus(const Quadratic &a, const Quadratic &b) {
     return {{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}};
-}
-
-bool coplanar(const SightEdge &e, const SightEdge &f) {
-    const Vec3 d = e.b - e.a, g = f.b - f.a, across = d.cross(g);
-    const double length = across.norm();
-    return length <= flat * d.norm() * g.norm() || std::abs(across.dot(f.a - e.a)) <= 2 * coincidence * length;
 }
 
 /// Where u in [low, high]; u = n / d, a Moebius function of s.
@@ -62,7 +53,7 @@ void Quadratic::add_roots(const Interval &within, std::vector<double> &roots) co
 
 std::optional<Regulus> Regulus::make(const std::array<const SightEdge *, 3> &edges, const PlaneFrame &receiver) {
     for (std::size_t k = 0; k < 3; ++k)
-        if (coplanar(*edges[k], *edges[(k + 1) % 3]))
+        if (in_one_plane(*edges[k], *edges[(k + 1) % 3]))
             return std::nullopt;
     Regulus r;
     r.edges_ = edges;

@@ -18,7 +18,7 @@ double doubled_area(const std::vector<Vec3> &polygon) {
 /// Pieces of the convex polygon outside the facet's cone of sight lines from x.
 void subtract_cone(const std::vector<Vec3> &piece, const Facet &facet, const Vec3 &x,
                    std::vector<std::vector<Vec3>> &pieces) {
-    const double distance = (facet.corners[0] - x).dot(facet.normal);
+    const double distance = (facet.corners[0] - x).dot(facet.frame.normal);
     if (std::abs(distance) <= coincidence) { // seen edge-on
         pieces.push_back(piece);
         return;
@@ -39,7 +39,7 @@ void subtract_cone(const std::vector<Vec3> &piece, const Facet &facet, const Vec
 } // namespace
 
 bool sees_source(const SourceView &view, const Vec3 &x, std::span<const Vec3> half_spaces,
-                 std::span<const std::size_t> ignored) {
+                 std::span<const std::size_t> facets, std::span<const std::size_t> ignored) {
     std::vector<std::vector<Vec3>> pieces;
     for (const Facet &part : view.source_parts) {
         std::vector<Vec3> corners = part.corners;
@@ -49,7 +49,9 @@ bool sees_source(const SourceView &view, const Vec3 &x, std::span<const Vec3> ha
         if (!corners.empty())
             pieces.push_back(std::move(corners));
     }
-    for (std::size_t f = 0; f < view.facets.size() && !pieces.empty(); ++f) {
+    for (const std::size_t f : facets) {
+        if (pieces.empty())
+            return false;
         if (std::ranges::binary_search(ignored, f))
             continue;
         std::vector<std::vector<Vec3>> left;

@@ -1,5 +1,6 @@
 #include "discontinuity/source_view.h"
 
+#include "discontinuity/fold.h"
 #include "discontinuity/outlines.h"
 #include "visibility/shaft.h"
 
@@ -31,8 +32,8 @@ std::vector<Vec3> part_in_space(const Surface &surface, std::span<const Vec3> ou
 void add_facet(std::vector<Facet> &facets, SurfaceId id, std::vector<Vec3> corners) {
     if (corners.size() < 3 || newell(corners).norm() <= coincidence * coincidence)
         return;
-    Facet facet{id, std::move(corners), Vec3::Zero(), Vec3::Zero(), 0, 0};
-    facet.normal = newell(facet.corners).normalized();
+    const PlaneFrame frame = plane_frame(corners);
+    Facet facet{id, std::move(corners), frame, Vec3::Zero(), 0, 0};
     Vec3 low = facet.corners[0], high = low;
     for (const Vec3 &c : facet.corners) {
         low = low.cwiseMin(c);
@@ -41,7 +42,7 @@ void add_facet(std::vector<Facet> &facets, SurfaceId id, std::vector<Vec3> corne
     facet.centre = (low + high) / 2;
     facet.radius = (high - low).norm() / 2;
     for (const Vec3 &c : facet.corners)
-        facet.bend = std::max(facet.bend, std::abs((c - facet.corners[0]).dot(facet.normal)));
+        facet.bend = std::max(facet.bend, std::abs(frame.height(c)));
     facets.push_back(std::move(facet));
 }
 
@@ -90,15 +91,22 @@ bool share_facet(std::span<const std::size_t> a, std::span<const std::size_t> b)
     return std::ranges::any_of(a, [&](std::size_t f) { return std::ranges::binary_search(b, f); });
 }
 
+bool in_one_plane(const SightEdge &e, const SightEdge &f) {
+    constexpr double parallel = 1e-9;
+    const Vec3 d = e.b - e.a, g = f.b - f.a, across = d.cross(g);
+    const double length = across.norm();
+    return length <= parallel * d.norm() * g.norm() || std::abs(across.dot(f.a - e.a)) <= 2 * coincidence * length;
+}
+
 bool touches(const Facet &facet, const Vec3 &p) {
     if ((p - facet.centre).squaredNorm() > (facet.radius + coincidence) * (facet.radius + coincidence) ||
-        std::abs((p - facet.corners[0]).dot(facet.normal)) > coincidence + facet.bend)
+        std::abs(facet.frame.height(p)) > coincidence + facet.bend)
         return false;
     const std::size_t n = facet.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 &a = facet.corners[i];
         const Vec3 edge = facet.corners[(i + 1) % n] - a;
-        if (facet.normal.dot(edge.cross(p - a)) < -coincidence * edge.norm())
+        if (facet.frame.normal.dot(edge.cross(p - a)) < -coincidence * edge.norm())
             return false;
     }
     return true;
@@ -114,12 +122,12 @@ void add_source(SourceView &view, const Surface &lamp, const PlaneFrame &wall) {
     outline.add(lamp.corners);
     for (const Vec3 &corner : outline.corners())
         if (wall.height(corner) > coincidence)
-            view.source_corners.push_back({corner, {}});
+            view.corners.push_back({corner, {}, true});
     for (const auto &[a, b] : outline.edges()) {
-        SightEdge edge{a, b, {0, 1}, {}};
+        SightEdge edge{a, b, {0, 1}, {}, true};
         edge.part = part_in_front(edge, wall);
         if (!edge.part.empty())
-            view.source_edges.push_back(edge);
+            view.edges.push_back(edge);
     }
 }
 
@@ -134,7 +142,7 @@ void add_section(Outlines &sections, const Facet &facet, const PlaneFrame &lamp)
 }
 
 /// Where sections cross each other or the source's border: corners of what the source shows, in its plane.
-void add_crossings(Outlines &sections, const std::vector<SightEdge> &source_edges, const PlaneFrame &lamp) {
+void add_section_crossings(Outlines &sections, std::span<const SightEdge> source_edges, const PlaneFrame &lamp) {
     std::vector<OutlineEdge> edges = sections.edges();
     const std::size_t n_sections = edges.size();
     for (const SightEdge &edge : source_edges)
@@ -152,115 +160,117 @@ void add_crossings(Outlines &sections, const std::vector<SightEdge> &source_edge
         }
 }
 
-/// Whether the edge between two facets is a fold, not a silhouette, for all lines of sight that touch it: these pass
-/// from the one side of a facet's plane to the other, and a fold is seen from the sides of which one is inside.
-bool always_fold(const SightEdge &edge, const std::vector<Facet> &facets, std::span<const Vec3> receiver,
-                 std::span<const Vec3> source) {
-    if (edge.facets.size() != 2)
-        return false;
-    const Vec3 along = (edge.b - edge.a).normalized();
-    std::array<Vec3, 2> across;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const Facet &facet = facets[edge.facets[k]];
-        Vec3 middle = Vec3::Zero();
-        for (const Vec3 &c : facet.corners)
-            middle += c / static_cast<double>(facet.corners.size());
-        const Vec3 inwards = (middle - edge.a) - (middle - edge.a).dot(along) * along;
-        across[k] = along.cross(inwards).normalized();
-    }
-    const auto side = [&](std::span<const Vec3> points, const Vec3 &normal) {
-        constexpr double clear = 2 * weld;
-        const auto height = [&](const Vec3 &p) { return (p - edge.a).dot(normal); };
-        if (std::ranges::all_of(points, [&](const Vec3 &p) { return height(p) > clear; }))
-            return 1;
-        return std::ranges::all_of(points, [&](const Vec3 &p) { return height(p) < -clear; }) ? -1 : 0;
-    };
-    return side(receiver, across[0]) * side(receiver, across[1]) < 0 ||
-           side(source, across[0]) * side(source, across[1]) < 0;
-}
-
-void link_facets(SourceView &view, std::vector<SightEdge> &edges, std::vector<SightCorner> &corners) {
+void link_facets(SourceView &view) {
     for (std::size_t f = 0; f < view.facets.size(); ++f) {
         const Facet &facet = view.facets[f];
-        for (SightCorner &corner : corners)
+        for (SightCorner &corner : view.corners)
             if (touches(facet, corner.at))
                 corner.facets.push_back(f);
-        for (SightEdge &edge : edges)
-            if (touches(facet, edge.point(edge.part.middle())) && touches(facet, edge.point(0.9 * edge.part.low + 0.1 * edge.part.high)))
+        for (SightEdge &edge : view.edges)
+            if (!edge.of_source && touches(facet, edge.point(edge.part.middle())) &&
+                touches(facet, edge.point(0.9 * edge.part.low + 0.1 * edge.part.high)))
                 edge.facets.push_back(f);
+    }
+}
+
+/// The surfaces among `blockers` that reach into the shaft between the two.
+std::vector<SurfaceId> in_shaft(const Scene &scene, const SourceView &view, const Shaft &shaft,
+                                std::span<const SurfaceId> blockers) {
+    std::vector<SurfaceId> found;
+    for (const SurfaceId id : blockers) {
+        const std::vector<Vec3> &corners = scene.surface(id).corners;
+        if (id != view.source && id != view.receiver && !behind(corners, view.source_plane, weld) &&
+            !behind(corners, view.receiver_plane, weld) && !shaft.misses(corners))
+            found.push_back(id);
+    }
+    return found;
+}
+
+bool spans(const Surface &blocker, const Surface &receiver, const Surface &source) {
+    return std::ranges::any_of(blocker.parts, [&](const Polygon &part) {
+        return spans_shaft(part_in_space(blocker, blocker.corners, part), blocker.frame, receiver.corners,
+                           source.corners);
+    });
+}
+
+void add_blockers(SourceView &view, const Scene &scene, std::span<const SurfaceId> blockers, Outlines &outlines) {
+    for (const SurfaceId id : blockers) {
+        const Surface &blocker = scene.surface(id);
+        const std::vector<Vec3> outline = outlines.add(blocker.corners);
+        for (const Polygon &part : blocker.parts) {
+            std::vector<Vec3> corners = part_in_space(blocker, outline, part);
+            for (const PlaneFrame *plane : {&view.source_plane, &view.receiver_plane})
+                if (corners.size() > 2)
+                    corners = clip_to_front(std::move(corners), plane->origin, plane->normal);
+            add_facet(view.facets, id, std::move(corners));
+        }
+    }
+}
+
+/// What covers the source blocks it, lying on it.
+void add_covers(SourceView &view, const Surface &lamp) {
+    for (const Polygon &cover : lamp.covers) {
+        std::vector<Vec3> corners;
+        for (const Vec2 &p : cover)
+            corners.push_back(lamp.frame.to_space(p));
+        add_facet(view.facets, view.source,
+                  clip_to_front(std::move(corners), view.receiver_plane.origin, view.receiver_plane.normal));
+    }
+}
+
+void add_outlines(SourceView &view, const Outlines &outlines, const Shaft &shaft) {
+    const PlaneFrame &lamp = view.source_plane, &wall = view.receiver_plane;
+    for (const Vec3 &corner : outlines.corners())
+        if (lamp.height(corner) > coincidence && wall.height(corner) > coincidence &&
+            !shaft.misses(std::span(&corner, 1)))
+            view.corners.push_back({corner, {}});
+    for (const auto &[a, b] : outlines.edges()) {
+        SightEdge edge{a, b, {0, 1}, {}};
+        edge.part = overlap(part_in_front(edge, lamp), part_in_front(edge, wall));
+        if (!edge.part.empty() && !shaft.misses(std::array{edge.from(), edge.to()}))
+            view.edges.push_back(edge);
+    }
+}
+
+/// Sections lie in the shaft's end, where rounding decides whether they miss it: all of them count.
+void add_sections(SourceView &view, const Outlines &sections) {
+    for (const Vec3 &corner : sections.corners())
+        if (view.receiver_plane.height(corner) > coincidence)
+            view.corners.push_back({corner, {}});
+    for (const auto &[a, b] : sections.edges()) {
+        SightEdge edge{a, b, {0, 1}, {}};
+        edge.part = part_in_front(edge, view.receiver_plane);
+        if (!edge.part.empty())
+            view.edges.push_back(edge);
     }
 }
 
 } // namespace
 
 SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers) {
-    SourceView view;
-    view.source = source;
-    view.receiver = receiver;
     const Surface &lamp = scene.surface(source), &wall = scene.surface(receiver);
-    view.source_plane = lamp.frame;
-    view.receiver_plane = wall.frame;
+    SourceView view{source, receiver, lamp.frame, wall.frame, {}, {}, {}, {}};
     if (source == receiver || behind(wall.corners, lamp.frame) || behind(lamp.corners, wall.frame))
         return view;
-    add_source(view, lamp, wall.frame);
-
     const Shaft shaft(wall.corners, wall.frame, lamp.corners, lamp.frame);
+    const std::vector<SurfaceId> between = in_shaft(scene, view, shaft, blockers);
+    if (std::ranges::any_of(between, [&](SurfaceId id) { return spans(scene.surface(id), wall, lamp); }))
+        return view;
+    add_source(view, lamp, wall.frame);
+    const std::vector<SightEdge> source_edges = view.edges;
     Outlines outlines(weld, {lamp.frame, wall.frame}), sections(coincidence, {});
-    for (const SurfaceId id : blockers) {
-        const Surface &blocker = scene.surface(id);
-        if (id == source || id == receiver || behind(blocker.corners, lamp.frame, weld) ||
-            behind(blocker.corners, wall.frame, weld) || shaft.misses(blocker.corners))
-            continue;
-        const std::vector<Vec3> outline = outlines.add(blocker.corners);
-        for (const Polygon &part : blocker.parts) {
-            std::vector<Vec3> corners = part_in_space(blocker, outline, part);
-            if (corners.size() > 2)
-                corners = clip_to_front(std::move(corners), lamp.frame.origin, lamp.frame.normal);
-            if (corners.size() > 2)
-                corners = clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal);
-            const std::size_t before = view.facets.size();
-            add_facet(view.facets, id, std::move(corners));
-            if (view.facets.size() == before)
-                continue;
-            const Facet &facet = view.facets.back();
-            if (spans_shaft(facet.corners, plane_frame(facet.corners), wall.corners, lamp.corners)) {
-                view.source_parts.clear();
-                return view;
-            }
-            add_section(sections, facet, lamp.frame);
-        }
-    }
-    for (const Polygon &cover : lamp.covers) {
-        std::vector<Vec3> corners;
-        for (const Vec2 &p : cover)
-            corners.push_back(lamp.frame.to_space(p));
-        const std::size_t before = view.facets.size();
-        add_facet(view.facets, source, clip_to_front(std::move(corners), wall.frame.origin, wall.frame.normal));
-        if (view.facets.size() > before)
-            add_section(sections, view.facets.back(), lamp.frame);
-    }
-    add_crossings(sections, view.source_edges, lamp.frame);
-    for (const Vec3 &corner : outlines.corners())
-        if (lamp.frame.height(corner) > coincidence && wall.frame.height(corner) > coincidence &&
-            !shaft.misses(std::span(&corner, 1)))
-            view.blocker_corners.push_back({corner, {}});
-    for (const Vec3 &corner : sections.corners())
-        if (wall.frame.height(corner) > coincidence)
-            view.blocker_corners.push_back({corner, {}});
-    for (const Outlines *from : {&outlines, &sections})
-        for (const auto &[a, b] : from->edges()) {
-            SightEdge edge{a, b, {0, 1}, {}};
-            edge.part = from == &outlines ? overlap(part_in_front(edge, lamp.frame), part_in_front(edge, wall.frame))
-                                          : part_in_front(edge, wall.frame);
-            // A section lies in the shaft's end: rounding decides whether it misses the shaft.
-            if (!edge.part.empty() && (from == &sections || !shaft.misses(std::array{edge.from(), edge.to()})))
-                view.blocker_edges.push_back(edge);
-        }
-    link_facets(view, view.blocker_edges, view.blocker_corners);
-    std::vector<SightEdge> no_edges;
-    link_facets(view, no_edges, view.source_corners);
-    std::erase_if(view.blocker_edges, [&](const SightEdge &edge) {
-        return always_fold(edge, view.facets, wall.corners, lamp.corners);
+    add_blockers(view, scene, between, outlines);
+    add_covers(view, lamp);
+    for (const Facet &facet : view.facets)
+        add_section(sections, facet, lamp.frame);
+    outlines.add_crossings(coincidence);
+    add_section_crossings(sections, source_edges, lamp.frame);
+    add_outlines(view, outlines, shaft);
+    add_sections(view, sections);
+    link_facets(view);
+    std::erase_if(view.edges, [&](const SightEdge &edge) {
+        const auto fold = Fold::make(edge, view.facets);
+        return fold && (fold->hides_from(wall.corners) || fold->hides_from(lamp.corners));
     });
     return view;
 }

@@ -16,7 +16,7 @@ namespace penumbra {
 struct Facet {
     SurfaceId surface;
     std::vector<Vec3> corners; ///< counter-clockwise about the normal
-    Vec3 normal;               ///< unit
+    PlaneFrame frame;          ///< of the plane through the first corner
     Vec3 centre;               ///< of the sphere about the corners
     double radius = 0;
     double bend = 0; ///< how far welding moved corners out of the first one's plane
@@ -27,6 +27,7 @@ struct SightEdge {
     Vec3 a, b;
     Interval part;                   ///< of a + t (b - a), within [0, 1]
     std::vector<std::size_t> facets; ///< of the blockers, that have the edge on their border
+    bool of_source = false;
 
     Vec3 point(double t) const { return a + t * (b - a); }
     Vec3 from() const { return point(part.low); }
@@ -37,6 +38,7 @@ struct SightEdge {
 struct SightCorner {
     Vec3 at;
     std::vector<std::size_t> facets; ///< ascending
+    bool of_source = false;
 };
 
 struct SourceView {
@@ -44,10 +46,8 @@ struct SourceView {
     PlaneFrame source_plane, receiver_plane;
     std::vector<Facet> source_parts;         ///< the source's convex parts in front of the receiver
     std::vector<Facet> facets;               ///< of the blockers
-    std::vector<SightCorner> source_corners; ///< in front of the receiver's plane or in it
-    std::vector<SightEdge> source_edges;
-    std::vector<SightCorner> blocker_corners; ///< each once, however many faces meet there
-    std::vector<SightEdge> blocker_edges;     ///< each once, however many faces share it
+    std::vector<SightCorner> corners;        ///< of the source in front of the receiver, then of the blockers, ...
+    std::vector<SightEdge> edges;            ///< ... and so the edges; each once, however many faces share it
 
     bool empty() const { return source_parts.empty(); }
 };
@@ -65,6 +65,9 @@ SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver,
 /// Whether two ascending lists have a facet in common: then both lie in its plane, however welding bent it, and what
 /// they throw together is the plane's curve.
 bool share_facet(std::span<const std::size_t> a, std::span<const std::size_t> b);
+
+/// Whether the edges lie in one plane, to within twice the `coincidence`: then they throw what that plane throws.
+bool in_one_plane(const SightEdge &e, const SightEdge &f);
 
 /// Whether p lies in the facet or on its border, to within `coincidence`.
 bool touches(const Facet &facet, const Vec3 &p);

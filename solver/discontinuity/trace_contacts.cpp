@@ -42,22 +42,26 @@ bool covered(const Surface &receiver, const Vec2 &p) {
 }
 
 /// Whether the side of the contact at x towards which `across` points sees any of the source.
-bool side_sees(const Scene &scene, const SourceView &view, const Vec2 &x, const Vec2 &across) {
+bool side_sees(const Scene &scene, const SourceView &view, const SightCells &cells, const Vec2 &x,
+               const Vec2 &across) {
     const Surface &receiver = scene.surface(view.receiver);
     if (covered(receiver, x + beside * across))
+        return false;
+    const SightCell *cell = cells.at(x + beside * across);
+    if (!cell)
         return false;
     const Vec3 point = receiver.frame.to_space(x),
                outward = across.x() * receiver.frame.u + across.y() * receiver.frame.v;
     std::vector<std::size_t> touching;
     std::vector<Vec3> half_spaces;
-    for (std::size_t f = 0; f < view.facets.size(); ++f) {
+    for (const std::size_t f : cell->facets) {
         const Facet &facet = view.facets[f];
         if (!touches(facet, point))
             continue;
         touching.push_back(f);
-        half_spaces.push_back(facet.normal.dot(outward) > 0 ? facet.normal : Vec3(-facet.normal));
+        half_spaces.push_back(facet.frame.normal.dot(outward) > 0 ? facet.frame.normal : Vec3(-facet.frame.normal));
     }
-    return sees_source(view, point, half_spaces, touching);
+    return sees_source(view, point, half_spaces, cell->facets, touching);
 }
 
 /// Parameters along the unit direction where the line meets the curves, and a little beyond their ends.
@@ -75,7 +79,7 @@ void split_at_curves(IntervalSet &line, const Vec2 &foot, const Vec2 &along, std
 
 } // namespace
 
-void trace_contacts(const Scene &scene, const SourceView &view, std::vector<Curve> &curves) {
+void trace_contacts(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves) {
     const std::vector<Contact> contacts = contacts_of(scene, view);
     std::vector<Curve> others;
     for (const Curve &curve : curves)
@@ -95,7 +99,7 @@ void trace_contacts(const Scene &scene, const SourceView &view, std::vector<Curv
         IntervalSet kept;
         for (const Interval &piece : line.intervals()) {
             const Vec2 x = contact.from + piece.middle() * along;
-            if (side_sees(scene, view, x, across) || side_sees(scene, view, x, -across))
+            if (side_sees(scene, view, cells, x, across) || side_sees(scene, view, cells, x, -across))
                 kept.unite(piece);
         }
         kept.drop_shorter(shortest_curve);

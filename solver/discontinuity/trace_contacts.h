@@ -2,6 +2,7 @@
 #pragma once
 
 #include "discontinuity/curve.h"
+#include "discontinuity/sight_cells.h"
 #include "discontinuity/source_view.h"
 #include "scene/scene.h"
 
@@ -11,6 +12,6 @@ namespace penumbra {
 
 /// Real where at least one of the two sides sees something of the source. What a side sees changes along the contact
 /// only where it crosses another curve, so `curves` must hold those of this source and receiver already.
-void trace_contacts(const Scene &scene, const SourceView &view, std::vector<Curve> &curves);
+void trace_contacts(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves);
 
 } // namespace penumbra

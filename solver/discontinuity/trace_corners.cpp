@@ -123,26 +123,34 @@ void emit(const SourceView &view, const Wedge &wedge, const RealPart &part, Curv
 
 bool in_plane(const PlaneFrame &plane, const Vec3 &p) { return std::abs(plane.height(p)) <= coincidence; }
 
-/// The lines `candidates` of one wedge. `corner`: the facets that touch its apex, ascending; `first`: those of its edge,
-/// which are met before all others, as they close most lines.
-void trace_wedge(const Scene &scene, const SourceView &view, const Wedge &wedge, Interval candidates, CurveKind kind,
-                 std::span<const std::size_t> corner, std::span<const std::size_t> first,
-                 const std::vector<TouchedEdge> &touched, std::vector<Curve> &curves) {
+/// The lines `candidates` of the wedge of a corner and an edge that meet.
+void trace_wedge(const Scene &scene, const SourceView &view, const SightCells &cells, const Encounter &encounter,
+                 const Wedge &wedge, Interval candidates, CurveKind kind, std::vector<Curve> &curves) {
+    const SightCorner &apex = view.corners[encounter.touched[0]];
+    const SightEdge &edge = view.edges[encounter.touched[1]];
+    const std::span<const std::size_t> corner = apex.facets, first = edge.facets;
     Fan fan{IntervalSet(candidates), {}};
     if (fan.open.empty())
         return;
+    fan.open.clip(cells.line_inside(encounter, wedge.foot, wedge.along));
+    if (fan.open.empty())
+        return;
     fan.open.clip(lit_part(scene, view, wedge.foot, wedge.along));
+    // The edge's own facets close most lines.
     for (const std::size_t f : first)
         if (!fan.open.empty() && !std::ranges::binary_search(corner, f))
             meet(wedge, view.facets[f], fan);
-    for (std::size_t f = 0; f < view.facets.size() && !fan.open.empty(); ++f)
-        if (!std::ranges::binary_search(corner, f) && std::ranges::find(first, f) == first.end())
+    if (fan.open.empty())
+        return;
+    for (const std::size_t f : cells.facets(encounter))
+        if (!fan.open.empty() && !std::ranges::binary_search(corner, f) && !std::ranges::binary_search(first, f))
             meet(wedge, view.facets[f], fan);
     if (fan.open.empty())
         return;
     split_between_rays(wedge, view, corner, fan.open);
     split_at_source(wedge, view, fan.open);
     fan.open.drop_shorter(shortest_curve);
+    const std::vector<TouchedEdge> touched{{apex.at, apex.at}, {edge.from(), edge.to()}};
     std::optional<RealPart> growing;
     for (const Interval &i : fan.open.intervals()) {
         std::optional<RealPart> part = real_part(view, wedge, i, corner, fan.grazed);
@@ -161,30 +169,18 @@ void trace_wedge(const Scene &scene, const SourceView &view, const Wedge &wedge,
 
 } // namespace
 
-void trace_corners(const Scene &scene, const SourceView &view, std::vector<Curve> &curves) {
-    const auto trace = [&](const SightCorner &corner, const SightEdge &edge) {
-        if (share_facet(corner.facets, edge.facets))
-            return;
+void trace_corners(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves) {
+    for (const Encounter &encounter : cells.corners_and_edges()) {
+        const SightCorner &corner = view.corners[encounter.touched[0]];
+        const SightEdge &edge = view.edges[encounter.touched[1]];
         if (in_plane(view.source_plane, corner.at) && in_plane(view.source_plane, edge.a) &&
             in_plane(view.source_plane, edge.b))
-            return;
+            continue;
         const auto wedge = make_wedge(corner.at, edge.a, edge.b, view.receiver_plane);
         if (!wedge)
-            return;
-        const std::vector<TouchedEdge> touched{{corner.at, corner.at}, {edge.from(), edge.to()}};
-        trace_wedge(scene, view, *wedge, wedge->below(edge.from(), edge.to()), CurveKind::ve, corner.facets,
-                    edge.facets, touched, curves);
-        trace_wedge(scene, view, *wedge, wedge->above(edge.from(), edge.to()), CurveKind::ev, corner.facets,
-                    edge.facets, touched, curves);
-    };
-    for (const SightCorner &corner : view.source_corners)
-        for (const SightEdge &edge : view.blocker_edges)
-            trace(corner, edge);
-    for (const SightCorner &corner : view.blocker_corners) {
-        for (const SightEdge &edge : view.source_edges)
-            trace(corner, edge);
-        for (const SightEdge &edge : view.blocker_edges)
-            trace(corner, edge);
+            continue;
+        trace_wedge(scene, view, cells, encounter, *wedge, wedge->below(edge.from(), edge.to()), CurveKind::ve, curves);
+        trace_wedge(scene, view, cells, encounter, *wedge, wedge->above(edge.from(), edge.to()), CurveKind::ev, curves);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "discontinuity/curve.h"
+#include "discontinuity/sight_cells.h"
 #include "discontinuity/source_view.h"
 #include "scene/scene.h"
 
@@ -13,6 +14,6 @@ namespace penumbra {
 /// other: VE where the corner is on the source's side, EV where the edge is. A line counts where no facet crosses it
 /// and where what is seen about it changes its shape (local_picture.h). Order 1 where an edge through the corner is
 /// aligned with the other edge and both bound what is seen, else 2.
-void trace_corners(const Scene &scene, const SourceView &view, std::vector<Curve> &curves);
+void trace_corners(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves);
 
 } // namespace penumbra

@@ -35,9 +35,9 @@ void add_point(std::vector<Vec2> &points, const Vec2 &p) {
 
 std::vector<Vec2> horizon_corners(const SourceView &view) {
     std::vector<Vec2> corners;
-    for (const SightEdge &edge : view.source_edges)
+    for (const SightEdge &edge : view.edges)
         for (const Vec3 &end : {edge.from(), edge.to()})
-            if (std::abs(view.receiver_plane.height(end)) <= coincidence)
+            if (edge.of_source && std::abs(view.receiver_plane.height(end)) <= coincidence)
                 add_point(corners, view.receiver_plane.to_plane(end));
     return corners;
 }

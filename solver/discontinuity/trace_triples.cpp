@@ -16,8 +16,10 @@ using Triple = std::array<const SightEdge *, 3>;
 
 class TripleTracer {
 public:
-    TripleTracer(const Scene &scene, const SourceView &view, const Regulus &regulus, const Triple &edges)
-        : view_(view), receiver_(scene.surface(view.receiver)), regulus_(regulus), edges_(edges) {}
+    TripleTracer(const Scene &scene, const SourceView &view, const SightCells &cells, const Encounter &encounter,
+                 const Regulus &regulus, const Triple &edges)
+        : view_(view), cells_(cells), encounter_(encounter), receiver_(scene.surface(view.receiver)),
+          regulus_(regulus), edges_(edges) {}
 
     void run(IntervalSet domain, std::vector<Curve> &curves) {
         open_ = std::move(domain);
@@ -27,8 +29,12 @@ public:
             for (const std::size_t f : edge->facets)
                 if (!open_.empty())
                     meet(view_.facets[f]);
-        for (std::size_t f = 0; f < view_.facets.size() && !open_.empty(); ++f)
-            meet(view_.facets[f]);
+        if (open_.empty())
+            return;
+        for (const std::size_t f : cells_.facets(encounter_))
+            if (!open_.empty())
+                meet(view_.facets[f]);
+        keep_in_cells();
         std::ranges::sort(grazed_);
         const auto twins = std::ranges::unique(grazed_);
         grazed_.erase(twins.begin(), twins.end());
@@ -73,6 +79,20 @@ private:
                    std::ranges::any_of(receiver_.parts, [&](const Polygon &p) { return contains(p, foot); }) &&
                    !is_covered(receiver_, foot);
         });
+    }
+
+    /// What lies elsewhere was not held against all that blocks there.
+    void keep_in_cells() {
+        if (open_.empty())
+            return;
+        std::vector<double> ends;
+        for (const std::size_t cell : encounter_.cells) {
+            std::vector<Vec3> corners;
+            for (const Vec2 &p : cells_[cell].outline)
+                corners.push_back(receiver_.frame.to_space(p));
+            add_sides(corners, ends);
+        }
+        keep(ends, [&](double s) { return cells_.contains(encounter_, regulus_.foot(s)); });
     }
 
     /// Lines that reach the source.
@@ -152,16 +172,27 @@ private:
         return picture.changes() ? std::optional(picture.bounding()) : std::nullopt;
     }
 
+    static bool is_flat(const Curve &arc) {
+        const Vec2 along = (arc.to - arc.from).normalized();
+        return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
+            return std::abs(cross(along, point_at(arc, t) - arc.from)) <= coincidence;
+        });
+    }
+
     Curve curve(const Interval &arc, const std::vector<SurfaceId> &blockers) const {
         Curve curve{CurveKind::eee, 2, view_.source, view_.receiver, blockers, Vec2::Zero(), Vec2::Zero(),
                     Vec3::Zero(), {}};
         for (const SightEdge *edge : edges_)
             curve.touched.push_back({edge->from(), edge->to()});
         regulus_.set_arc(curve, arc);
+        if (is_flat(curve)) // then it may lie in line with others
+            curve.control.setZero();
         return curve;
     }
 
     const SourceView &view_;
+    const SightCells &cells_;
+    const Encounter &encounter_;
     const Surface &receiver_;
     const Regulus &regulus_;
     Triple edges_;
@@ -169,28 +200,18 @@ private:
     std::vector<const Facet *> grazed_;
 };
 
-void trace(const Scene &scene, const SourceView &view, const Triple &edges, std::vector<Curve> &curves) {
-    for (std::size_t k = 0; k < 3; ++k)
-        if (share_facet(edges[k]->facets, edges[(k + 1) % 3]->facets))
-            return;
-    const auto regulus = Regulus::make(edges, view.receiver_plane);
-    if (!regulus)
-        return;
-    if (IntervalSet domain = regulus->domain(); !domain.empty())
-        TripleTracer(scene, view, *regulus, edges).run(std::move(domain), curves);
-}
-
 } // namespace
 
-void trace_triples(const Scene &scene, const SourceView &view, std::vector<Curve> &curves) {
-    const std::vector<SightEdge> &edges = view.blocker_edges;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t j = i + 1; j < edges.size(); ++j) {
-            for (const SightEdge &source_edge : view.source_edges)
-                trace(scene, view, {&source_edge, &edges[i], &edges[j]}, curves);
-            for (std::size_t k = j + 1; k < edges.size(); ++k)
-                trace(scene, view, {&edges[i], &edges[j], &edges[k]}, curves);
-        }
+void trace_triples(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves) {
+    for (const Encounter &encounter : cells.triples()) {
+        const Triple edges{&view.edges[encounter.touched[0]], &view.edges[encounter.touched[1]],
+                           &view.edges[encounter.touched[2]]};
+        const auto regulus = Regulus::make(edges, view.receiver_plane);
+        if (!regulus)
+            continue;
+        if (IntervalSet domain = regulus->domain(); !domain.empty())
+            TripleTracer(scene, view, cells, encounter, *regulus, edges).run(std::move(domain), curves);
+    }
 }
 
 } // namespace penumbra

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "discontinuity/curve.h"
+#include "discontinuity/sight_cells.h"
 #include "discontinuity/source_view.h"
 #include "scene/scene.h"
 
@@ -13,6 +14,6 @@ namespace penumbra {
 /// of sight can touch: arcs of conics (regulus.h), real where no facet crosses the line and what is seen about it
 /// changes its shape (local_picture.h). Edges of which two lie in
 /// one plane throw none.
-void trace_triples(const Scene &scene, const SourceView &view, std::vector<Curve> &curves);
+void trace_triples(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves);
 
 } // namespace penumbra

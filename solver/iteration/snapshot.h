@@ -40,11 +40,20 @@ struct SnapshotPatch {
     bool at_limit = false;              ///< failed the oracle at the depth limit
 };
 
+/// An edge that lines of sight touch; a corner has both ends in one place.
+struct SnapshotEdge {
+    Vec3 a, b;
+    std::int32_t surface = -1;          ///< whose it is; -1: not known
+
+    bool is_corner() const { return a == b; }
+};
+
 struct SnapshotCurve {
     std::int32_t kind = 0, order = 2;   ///< as CurveKind
     std::int32_t source = 0, receiver = 0;
     std::vector<std::int32_t> blockers;
     std::vector<Vec3> points;           ///< polyline on the receiver
+    std::vector<SnapshotEdge> touched{}; ///< what all lines of sight from the curve to the source touch; see curve.h
 };
 
 struct SnapshotLink {

@@ -1,5 +1,7 @@
 #include "iteration/take_snapshot.h"
 
+#include "iteration/critical_surface.h"
+
 #include <atomic>
 
 namespace penumbra {
@@ -81,6 +83,7 @@ std::shared_ptr<const std::vector<SnapshotCurve>> draw_curves(const Setting &set
             drawn.blockers.push_back(b.index);
         for (const Vec2 &p : polyline(curve, polyline_accuracy * receiver_size(*setting.scene, curve.receiver)))
             drawn.points.push_back(setting.scene->own.to_own(frame.to_space(p)));
+        drawn.touched = touched_edges(*setting.scene, curve);
         out->push_back(std::move(drawn));
     }
     return out;

@@ -3,6 +3,9 @@
 #include "geometry/convex_pieces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace penumbra {
 
@@ -24,6 +27,21 @@ std::pair<double, double> part_inside(std::span<const HalfPlane> borders, const 
             high = std::min(high, vs / (vs - vt));
     }
     return {low, high};
+}
+
+/// What the blocker has in common with the plane that it stands on or goes through.
+std::optional<std::pair<Vec2, Vec2>> contact_of(const Blocker &blocker, const PlaneFrame &plane) {
+    const std::size_t n = blocker.corners.size();
+    std::vector<Vec2> ends;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 &a = blocker.corners[i], &c = blocker.corners[(i + 1) % n];
+        const double ha = plane.height(a), hc = plane.height(c);
+        if (std::abs(ha) < on_plane)
+            ends.push_back(plane.to_plane(a));
+        else if (std::abs(hc) >= on_plane && (ha < 0) != (hc < 0))
+            ends.push_back(plane.to_plane(a + ha / (ha - hc) * (c - a)));
+    }
+    return ends.size() == 2 ? std::optional(std::pair(ends[0], ends[1])) : std::nullopt;
 }
 
 } // namespace
@@ -86,23 +104,26 @@ std::vector<Vec2> contact_points(const Scene &scene, const Blockers &blockers, c
     const auto narrow = [least = least_width * radius(outline)](const Polygon &part) {
         return part.size() < 3 || area(part) < least * 2 * radius(part);
     };
+    const double beside = 1e-3 * radius(outline);
     std::vector<Vec2> found;
     Polygon left, right;
     for (const PairBlocker &b : pair) {
-        const auto &corners = blockers[b.blocker].corners;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Vec3 &a = corners[i], &c = corners[(i + 1) % corners.size()];
-            if (std::abs(frame.height(a)) >= on_plane || std::abs(frame.height(c)) >= on_plane)
-                continue;
-            const Vec2 s = frame.to_plane(a), t = frame.to_plane(c);
-            if (const auto [low, high] = part_inside(borders, s, t); low >= high)
-                continue;
-            split(outline, {s.y() - t.y(), t.x() - s.x(), cross(s, t)}, left, right);
-            if (narrow(left) || narrow(right))
-                continue;
-            found.push_back(centroid(left));
-            found.push_back(centroid(right));
-        }
+        const auto contact = contact_of(blockers[b.blocker], frame);
+        if (!contact)
+            continue;
+        const auto &[s, t] = *contact;
+        const auto [low, high] = part_inside(borders, s, t);
+        if (low >= high)
+            continue;
+        split(outline, {s.y() - t.y(), t.x() - s.x(), cross(s, t)}, left, right);
+        if (narrow(left) || narrow(right))
+            continue;
+        found.push_back(centroid(left));
+        found.push_back(centroid(right));
+        const Vec2 middle = s + (low + high) / 2 * (t - s), along = (t - s).normalized(), across(-along.y(), along.x());
+        for (const Vec2 &at : {Vec2(middle + beside * across), Vec2(middle - beside * across)})
+            if (contains(outline, at))
+                found.push_back(at);
     }
     return found;
 }

@@ -16,10 +16,10 @@ namespace penumbra {
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair);
 
-/// Where a blocker stands on p, T jumps across its edge: the middles of the two parts of p on either side, for every
-/// such edge that passes through p and leaves no sliver (narrower than 0.005 of p's radius). A fit that passes over the
-/// jump fails on one of the two, be it the covered one: leaves must not stay large where a grid leaves only a corner of
-/// them under the blocker.
+/// Where a blocker stands on p or goes through it, T jumps. For every such line that parts no sliver from p (narrower
+/// than 0.005 of p's radius): the middles of the two parts on either side, and points close by. A fit that passes over
+/// the jump fails on one side, be it the covered one: leaves must not stay large where a grid leaves only a corner of
+/// them under the blocker, while other points may all lie where the fit happens to be near.
 std::vector<Vec2> contact_points(const Scene &scene, const Blockers &blockers, const Element &p,
                                  std::span<const PairBlocker> pair);
 

@@ -47,10 +47,24 @@ Shaft::Shaft(std::span<const Vec3> receiver, const PlaneFrame &receiver_frame, s
     side_planes(source, receiver);
 }
 
-bool Shaft::misses(std::span<const Vec3> polygon) const {
+bool Shaft::misses(std::span<const Vec3> polygon, double gap) const {
     return std::ranges::any_of(planes_, [&](const Plane &p) {
-        return std::ranges::all_of(polygon, [&](const Vec3 &x) { return p.normal.dot(x) - p.offset >= -touch; });
+        return std::ranges::all_of(polygon, [&](const Vec3 &x) { return p.normal.dot(x) - p.offset >= gap; });
     });
+}
+
+std::pair<double, double> Shaft::part_inside(const Vec3 &p, const Vec3 &q, double slack) const {
+    double low = 0, high = 1;
+    for (const Plane &plane : planes_) {
+        const double a = plane.normal.dot(p) - plane.offset - slack, b = plane.normal.dot(q) - plane.offset - slack;
+        if (a > 0 && b > 0)
+            return {1, 0};
+        if (a > 0)
+            low = std::max(low, a / (a - b));
+        else if (b > 0)
+            high = std::min(high, a / (a - b));
+    }
+    return {low, high};
 }
 
 bool spans_shaft(std::span<const Vec3> blocker, const PlaneFrame &frame, std::span<const Vec3> receiver,

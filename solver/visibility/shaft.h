@@ -5,6 +5,7 @@
 #include "geometry/plane_frame.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace penumbra {
@@ -18,8 +19,12 @@ public:
           const PlaneFrame &source_frame);
 
     /// True only if the polygon keeps out of the shaft's interior by a separating face plane (it may touch the shaft, to
-    /// within 1e-12): then it blocks nothing. Conservative: false proves nothing.
-    bool misses(std::span<const Vec3> polygon) const;
+    /// within 1e-12): then it blocks nothing. With a `gap`, only if the plane keeps this distance. Conservative: false
+    /// proves nothing.
+    bool misses(std::span<const Vec3> polygon, double gap = -1e-12) const;
+    /// The part of the segment p + t (q - p), 0 <= t <= 1, that no face plane leaves more than `slack` outside; low above
+    /// high when there is none.
+    std::pair<double, double> part_inside(const Vec3 &p, const Vec3 &q, double slack) const;
     /// Smallest box around both polygons.
     const Vec3 &low() const { return low_; }
     const Vec3 &high() const { return high_; }

@@ -86,7 +86,7 @@ void frames(benchmark::State &state, const Case &c, int samples, bool solving) {
     solver.run();
     const auto snapshot = solver.snapshot();
     PaneRenderer renderer;
-    renderer.upload(*snapshot);
+    renderer.upload(snapshot);
     const gl::Framebuffer kept(width, height, gl::Framebuffer::Colour::srgb8, 1);
     std::optional<gl::Framebuffer> sampled;
     if (samples > 1)
@@ -133,7 +133,7 @@ void upload(benchmark::State &state, const Case &c) {
     PaneRenderer renderer;
     bool turn = false;
     for (auto _ : state) {
-        renderer.upload(turn ? *one : *other);
+        renderer.upload(turn ? one : other);
         glFinish();
         turn = !turn;
     }

@@ -28,8 +28,7 @@ ShapeReader::Face ShapeReader::named(SurfaceId surface) {
     for (const Vec3 &c : scene_.surface(surface).corners)
         face.corners.push_back({c, name_of(c), ""});
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
-        const std::string &p = face.corners[i].name, &q = face.corners[(i + 1) % face.corners.size()].name;
-        face.corners[i].edge = std::min(p, q) + "-" + std::max(p, q);
+        face.corners[i].edge = name_of_line(face.corners[i].at, face.corners[(i + 1) % face.corners.size()].at);
     }
     return face;
 }
@@ -39,6 +38,20 @@ std::string ShapeReader::name_of(const Vec3 &corner) {
     if (found == known_.end())
         found = known_.insert(known_.end(), corner);
     return std::to_string(found - known_.begin());
+}
+
+std::string ShapeReader::name_of_line(const Vec3 &a, const Vec3 &b) {
+    const auto on_line = [](const Vec3 &p, const Vec3 &q, const Vec3 &x) {
+        return (q - p).normalized().cross(x - p).norm() < 1e-9;
+    };
+    auto found = std::ranges::find_if(lines_, [&](const auto &line) {
+        const auto &[p, q] = line;
+        return (q - p).squaredNorm() > (b - a).squaredNorm() ? on_line(p, q, a) && on_line(p, q, b)
+                                                             : on_line(a, b, p) && on_line(a, b, q);
+    });
+    if (found == lines_.end())
+        found = lines_.insert(lines_.end(), {a, b});
+    return "line " + std::to_string(found - lines_.begin());
 }
 
 ShapeReader::Face ShapeReader::clip(const Face &face, const Vec3 &origin, const Vec3 &normal, double least,

@@ -6,12 +6,13 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace penumbra {
 
-/// Corners of the visible part, by name: a corner of the source or of a blocker, or two edges that cross. Edges and
-/// corners that coincide have one name.
+/// Corners of the visible part, by name: a corner of the source or of a blocker, or two edges that cross. Corners that
+/// coincide have one name, and so have edges in one line: which of them bounds the part is no matter of its shape.
 using VisibleShape = std::set<std::string>;
 
 class ShapeReader {
@@ -42,6 +43,7 @@ private:
         Polygon outline;
     };
     std::string name_of(const Vec3 &corner);
+    std::string name_of_line(const Vec3 &a, const Vec3 &b);
     Face named(SurfaceId surface);
     /// The face where (y - origin) . normal >= least; its new edge is called after the face and `name`.
     static Face clip(const Face &face, const Vec3 &origin, const Vec3 &normal, double least, const std::string &name);
@@ -53,6 +55,7 @@ private:
     const Scene &scene_;
     SurfaceId source_, receiver_;
     std::vector<Vec3> known_;
+    std::vector<std::pair<Vec3, Vec3>> lines_; ///< by an edge in each
     Face lamp_;
     std::vector<Face> faces_;
     std::vector<Vec3> frame_; ///< corners of a square about the source, counter-clockwise: shadows end there

@@ -85,6 +85,22 @@ TEST(Golden, ClosedRoomFromOutsideInFalseColour) {
 
 TEST(Golden, PatchesOfAllShapes) { expect_golden("patch-zoo", picture_of(synthetic::patch_zoo())); }
 
+TEST(Golden, CriticalSurfaceOfThreeEdges) {
+    PictureSpec spec = picture_of(synthetic::two_events());
+    spec.look.layers = {false, true, false};
+    spec.look.spotlight.curve = 1;
+    expect_golden("critical-surface", spec);
+}
+
+TEST(Golden, WedgeOfACornerAndAnEdgeWithTheOtherKindsHidden) {
+    PictureSpec spec = picture_of(synthetic::two_events());
+    spec.look.layers = {false, true, false};
+    spec.look.curve_filter.kinds = {true, false, false, false, false};
+    spec.look.spotlight.curve = 0;
+    spec.look.theme = Theme::light;
+    expect_golden("wedge", spec);
+}
+
 // The control: what a careless change would do must not pass for the baseline.
 TEST(Golden, ControlsFail) {
     const Offscreen context;

@@ -104,12 +104,33 @@ TEST_F(PictureCommands, RenderObeysItsOptions) {
     EXPECT_EQ(state("d.png")["strategies"].size(), 4u);
 }
 
+TEST_F(PictureCommands, RenderShowsOneCurveAndHidesOthers) {
+    const std::string common = "render skew-blockers --size 320x240 --steps 0 ";
+    ASSERT_EQ(run(common + "-o all.png"), 0) << text(folder / ".err");
+    ASSERT_EQ(run(common + "-o one.png --curve 3"), 0);
+    ASSERT_EQ(run(common + "-o few.png --curve-kinds EEE,contact --curve-orders 2 --curve-source light"), 0);
+    const Image all = read_png(folder / "all.png");
+    EXPECT_NE(read_png(folder / "one.png").rgb, all.rgb);
+    EXPECT_NE(read_png(folder / "few.png").rgb, all.rgb);
+    EXPECT_EQ(state("one.png")["curves"]["shown"], 3);
+    EXPECT_EQ(state("all.png")["curves"]["shown"], nullptr);
+    const nlohmann::json curves = state("few.png")["curves"];
+    EXPECT_EQ(curves["kinds"], nlohmann::json::array({"EEE", "contact"}));
+    EXPECT_EQ(curves["orders"], nlohmann::json::array({2}));
+    EXPECT_EQ(curves["source"], 1);
+    EXPECT_EQ(run(common + "-o a.png --curve 100000"), 3);
+    EXPECT_THAT(text(folder / ".err"), testing::HasSubstr("curves, counted from 0"));
+    EXPECT_EQ(run(common + "-o a.png --curve-source sun"), 3);
+    EXPECT_FALSE(fs::exists(folder / "a.png"));
+}
+
 TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
     for (const char *wrong :
          {"render figure-4", "render -o a.png", "render figure-4 -o a.png --size 0x10", "render figure-4 -o a.png --size 10",
           "render figure-4 -o a.png --layers mess", "render figure-4 -o a.png --shading error",
           "render figure-4 -o a.png --range 2:1", "render figure-4 -o a.png --view \"1 2 3\"",
-          "render figure-4 -o a.png --layout triple", "render figure-4 -o a.png --steps -1", "paper"}) {
+          "render figure-4 -o a.png --layout triple", "render figure-4 -o a.png --curve -1",
+          "render figure-4 -o a.png --curve-kinds VE,XY", "render figure-4 -o a.png --curve-orders 3", "render figure-4 -o a.png --steps -1", "paper"}) {
         EXPECT_EQ(run(wrong), 2) << wrong;
         EXPECT_FALSE(fs::exists(folder / "a.png")) << wrong;
     }
