@@ -37,6 +37,7 @@ Json final_state(const Snapshot *solution) {
                  {"patches", c.patches},
                  {"coefficients", c.coefficients},
                  {"links", c.links},
+                 {"curves", c.curves},
                  {"nodes_at_limit", c.nodes_at_limit},
                  {"sampled_visibility", c.total_work.sampled_visibility},
                  {"kernel_evaluations", c.total_work.kernel_evaluations},

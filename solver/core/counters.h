@@ -34,6 +34,7 @@ struct Counters {
     int patches = 0;          ///< leaves of surfaces with reflectance > 0
     std::int64_t coefficients = 0; ///< basis functions on these leaves (one set serves the three channels)
     std::int64_t links = 0;
+    int curves = 0;           ///< known so far: of emitters, and of reflectors whose light needed them
     int nodes_at_limit = 0;   ///< nodes that failed the oracle at the depth limit and were kept
     int splits = 0;           ///< nodes split in this iteration
     int cuts = 0;             ///< of these, cut: along a curve, or in the best straight line

@@ -49,6 +49,8 @@ struct Options {
     /// A curve is cut along if that lowers the fit's root mean square error on the node, taken as the root of what the
     /// squares lose, by more than this share of the misfit that the oracle lets pass. 0: every curve is a candidate.
     double least_gain = 0.1;
+    /// Strategies that cut trace the curves of a reflector, too, when a node fails because of its light.
+    bool reflector_curves = true;
     /// 0: all cores.
     int threads = 0;
 

@@ -26,13 +26,13 @@ struct CurveCut {
 };
 
 /// Cuts along the curves of the failing sources; curves that part nothing from the node are counted.
-std::vector<CurveCut> curve_cuts(const Setting &setting, const Element &node,
+std::vector<CurveCut> curve_cuts(const CurveIndex &curves, const Element &node,
                                  std::span<const Interaction *const> failing, int &n_along_sides) {
     std::vector<CurveCut> cuts;
     std::vector<SurfaceId> sources;
     for (const Interaction *interaction : failing)
         sources.push_back(interaction->source);
-    for (const CurveSegment &segment : setting.curves.crossing(node.surface, node.basis.outline(), sources)) {
+    for (const CurveSegment &segment : curves.crossing(node.surface, node.basis.outline(), sources)) {
         CurveCut candidate{segment, {}};
         if (auto plan = plan_cut(node, candidate.line())) {
             candidate.plan = std::move(*plan);
@@ -70,7 +70,7 @@ std::optional<Split> best_split(const Setting &setting, const Transport &transpo
     std::vector<CurveCut> cuts;
     int n_along_sides = 0;
     if (may_cut)
-        cuts = curve_cuts(setting, node, failing, n_along_sides);
+        cuts = curve_cuts(*state.curves, node, failing, n_along_sides);
     if (cuts.empty() && !may_cut_anywhere)
         return may_subdivide ? std::optional(Split{}) : std::nullopt;
 
