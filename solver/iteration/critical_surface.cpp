@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace penumbra {
@@ -79,8 +80,24 @@ double parameter(const Vec3 &x, const Vec3 &along, const SnapshotEdge &edge) {
     return (edge.a - x).dot(across) / along.dot(across);
 }
 
-/// As in curve.h, but from those two of three edges whose planes through x cross at the largest angle; none where all
-/// are one plane.
+/// In one plane with all the edges: the middle of the directions that meet each of them.
+std::optional<Vec3> direction_in_plane(const SnapshotCurve &curve, const Vec3 &x) {
+    const SnapshotEdge &first = curve.touched[0];
+    const Vec3 u = ((first.a + first.b) / 2 - x).normalized(), n = (first.a - x).cross(first.b - x).normalized();
+    double low = -std::numbers::pi / 2, high = -low;
+    for (const SnapshotEdge &edge : curve.touched) {
+        const auto angle = [&](const Vec3 &end) { return std::atan2((end - x).dot(n.cross(u)), (end - x).dot(u)); };
+        const auto [from, to] = std::minmax({angle(edge.a), angle(edge.b)});
+        low = std::max(low, from);
+        high = std::min(high, to);
+    }
+    if (!(low < high))
+        return std::nullopt;
+    const double middle = (low + high) / 2;
+    return Vec3(std::cos(middle) * u + std::sin(middle) * n.cross(u));
+}
+
+/// As in curve.h, but from those two of three edges whose planes through x cross at the largest angle.
 std::optional<Vec3> direction(const SnapshotCurve &curve, const Vec3 &x) {
     Vec3 best = Vec3::Zero();
     for (std::size_t i = 0; i < curve.touched.size(); ++i) {
@@ -95,7 +112,7 @@ std::optional<Vec3> direction(const SnapshotCurve &curve, const Vec3 &x) {
         }
     }
     if (!(best.norm() > 1e-6))
-        return std::nullopt;
+        return direction_in_plane(curve, x);
     return Vec3(best.normalized() * (best.dot(curve.touched[0].a - x) > 0 ? 1 : -1));
 }
 
