@@ -1,5 +1,7 @@
 #include "verbs.h"
 
+#include "keyhole_verbs.h"
+
 #include <algorithm>
 #include <type_traits>
 
@@ -47,6 +49,10 @@ void start_anew(AppState &state) {
 void apply(AppState &state, const Opened &opened) {
     const bool same = state.scene && state.scene->name == opened.scene->name;
     state.scene = opened.scene;
+    state.hovered_curve.reset();
+    state.pinned_curve.reset();
+    state.look.curve_filter.source = -1;
+    state.keyhole = {};
     state.opening.clear();
     state.playing = false;
     state.position = 0;
@@ -176,6 +182,12 @@ void fit_view(AppState &state) {
         state.camera_moved = true;
         state.pivot.reset();
     }
+}
+
+Spotlight spotlight(const AppState &state) {
+    if (crossing_glows(state, Clock::now()) > 0)
+        return {state.keyhole.crossed, false};
+    return {state.pinned_curve.value_or(state.hovered_curve.value_or(-1))};
 }
 
 void apply(AppState &state, const Report &report) {

@@ -1,10 +1,13 @@
 #include "commands/look_options.h"
 
+#include "core/read_text.h"
 #include "scene/obj_header.h"
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -56,6 +59,58 @@ void set_layers(LookOptions &options, const std::string &text) {
     options.look.layers = layers;
 }
 
+/// Sets those flags that the list names.
+template <std::size_t n>
+void set_flags(const char *option, const std::string &text, const std::array<std::string_view, n> &names,
+               std::array<bool, n> &flags) {
+    flags.fill(false);
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        const auto found = std::ranges::find(names, std::string_view(text).substr(from, comma - from));
+        if (found == names.end()) {
+            std::string known;
+            for (const std::string_view name : names)
+                known.append(known.empty() ? "" : ", ").append(name);
+            refuse(option, text, ("a list of " + known + " with commas between").c_str());
+        }
+        flags[static_cast<std::size_t>(found - names.begin())] = true;
+        from = comma + 1;
+    }
+}
+
+void set_keyhole(LookOptions &options, const std::string &text) {
+    const auto words = words_of(text);
+    Vec3 point;
+    bool good = words.size() == 3;
+    for (std::size_t i = 0; good && i < 3; ++i)
+        good = number_from(words[i], point[static_cast<Eigen::Index>(i)]) && std::isfinite(point[static_cast<Eigen::Index>(i)]);
+    if (!good)
+        refuse("--keyhole", text, "\"x y z\", a point on a surface");
+    options.keyhole = point;
+}
+
+void add_curve_options(CLI::App &parser, LookOptions &options) {
+    constexpr std::array<std::string_view, 5> kinds{"VE", "EV", "EEE", "plane", "contact"};
+    constexpr std::array<std::string_view, 3> orders{"0", "1", "2"};
+    CurveFilter &filter = options.look.curve_filter;
+    parser.add_option_function<std::string>(
+        "--curve-kinds", [=, &filter](const std::string &text) { set_flags("--curve-kinds", text, kinds, filter.kinds); },
+        "Draws these curves alone: of VE, EV, EEE, plane, contact, with commas between");
+    parser.add_option_function<std::string>(
+        "--curve-orders",
+        [=, &filter](const std::string &text) { set_flags("--curve-orders", text, orders, filter.orders); },
+        "Draws curves of these orders alone: of 0, 1, 2, with commas between");
+    parser.add_option("--curve-source", options.curve_source,
+                      "Draws curves of this source alone: a surface's number, or its object's name");
+    parser
+        .add_option("--curve", options.look.spotlight.curve,
+                    "Shows this curve (its number in the output of 'curves') with its critical surface, and says what it is")
+        ->check(CLI::NonNegativeNumber);
+    parser.add_option_function<std::string>(
+        "--keyhole", [&](const std::string &text) { set_keyhole(options, text); },
+        "\"x y z\": shows beside the picture what is seen of each emitter from this point of a surface");
+}
+
 void set_range(LookOptions &options, const std::string &text) {
     const std::size_t colon = text.find(':');
     const auto low = number<double>(std::string_view(text).substr(0, colon));
@@ -73,6 +128,7 @@ void add_look_options(CLI::App &parser, LookOptions &options) {
     parser.add_option_function<std::string>(
         "--layers", [&](const std::string &text) { set_layers(options, text); },
         "Of mesh, curves, links, with commas between, or none [mesh,curves]");
+    add_curve_options(parser, options);
     parser
         .add_option_function<std::string>(
             "--shading",

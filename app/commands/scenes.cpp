@@ -3,6 +3,7 @@
 #include "commands/terminal.h"
 #include "scene/bundled.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
@@ -13,9 +14,12 @@ Command add_scenes(CLI::App &root) {
     const auto common = std::make_shared<CommonOptions>();
     add_common_options(*parser, *common, "The list; standard output unless given");
     return {parser, [common] {
+                std::size_t longest = 0;
+                for (const BundledScene &scene : bundled_scenes())
+                    longest = std::max(longest, scene.name.size());
                 std::string text;
                 for (const BundledScene &scene : bundled_scenes())
-                    text += fmt::format("{:<14} {}\n", scene.name, scene.description());
+                    text += fmt::format("{:<{}}  {}\n", scene.name, longest, scene.description());
                 deliver(common->output, text);
                 return done;
             }};

@@ -19,6 +19,9 @@ constexpr std::array<const char *, 3> strokes{"stroke-width=\"3\"", "stroke-widt
                                               "stroke-width=\"1.5\" stroke-dasharray=\"6 3\""};
 constexpr std::array<const char *, 3> orders{"irradiance jumps", "its slope jumps", "its curvature jumps"};
 
+/// Regions', so quiet that the curves' colours stand out; seldom more than four are needed.
+constexpr std::array<const char *, 6> tints{"#f4f4f0", "#e3e9ee", "#efe7dc", "#e0ebe1", "#ece3ec", "#d9d9d9"};
+
 /// From a surface's plane to the page, y downwards.
 struct Page {
     Vec2 low, high;
@@ -48,19 +51,52 @@ std::string escaped(const std::string &text) {
     return out;
 }
 
-std::string drawing(const Snapshot &snapshot, std::int32_t receiver) {
-    const SnapshotSurface &surface = snapshot.surfaces[static_cast<std::size_t>(receiver)];
+/// A tint for each region: the first that no neighbour with a smaller number has.
+std::vector<std::size_t> tint_numbers(const Arrangement &arrangement) {
+    std::vector<std::vector<std::size_t>> smaller(arrangement.faces.size());
+    for (const ArrangementEdge &e : arrangement.edges)
+        if (e.left >= 0 && e.right >= 0 && e.left != e.right)
+            smaller[static_cast<std::size_t>(std::max(e.left, e.right))].push_back(
+                static_cast<std::size_t>(std::min(e.left, e.right)));
+    std::vector<std::size_t> chosen;
+    for (const std::vector<std::size_t> &neighbours : smaller) {
+        std::size_t tint = 0;
+        while (std::ranges::any_of(neighbours, [&](std::size_t n) { return chosen[n] == tint; }))
+            ++tint;
+        chosen.push_back(tint);
+    }
+    return chosen;
+}
+
+std::string regions(const Page &page, const Arrangement &arrangement) {
+    const auto cycle = [&](const std::vector<int> &vertices) {
+        std::vector<Vec2> line;
+        for (const int v : vertices)
+            line.push_back(arrangement.vertices[static_cast<std::size_t>(v)]);
+        return "M" + page.points(line) + "Z";
+    };
+    const std::vector<std::size_t> tint = tint_numbers(arrangement);
+    std::string text;
+    for (std::size_t f = 0; f < arrangement.faces.size(); ++f) {
+        std::string path = cycle(arrangement.faces[f].outline);
+        for (const std::vector<int> &hole : arrangement.faces[f].holes)
+            path += cycle(hole);
+        text += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, tints[std::min(tint[f], tints.size() - 1)]);
+    }
+    return text;
+}
+
+} // namespace
+
+std::pair<std::string, std::string> curve_drawing(const Snapshot &snapshot, const ReceiverCurves &curves) {
+    const SnapshotSurface &surface = snapshot.surfaces[static_cast<std::size_t>(curves.receiver)];
     const Page page(surface.outline);
     std::set<std::pair<std::int32_t, std::int32_t>> used;
     std::string lines;
-    for (const SnapshotCurve &curve : *snapshot.curves) {
-        if (curve.receiver != receiver)
-            continue;
+    for (std::size_t i = 0; i < curves.curves.size(); ++i) {
+        const SnapshotCurve &curve = (*snapshot.curves)[curves.curves[i]];
         used.emplace(curve.kind, curve.order);
-        std::vector<Vec2> flat;
-        for (const Vec3 &x : curve.points)
-            flat.emplace_back((x - surface.origin).dot(surface.u), (x - surface.origin).dot(surface.v));
-        lines += fmt::format("<polyline points=\"{}\" stroke=\"{}\" {}/>\n", page.points(flat),
+        lines += fmt::format("<polyline points=\"{}\" stroke=\"{}\" {}/>\n", page.points(curves.lines[i]),
                              colours.at(static_cast<std::size_t>(curve.kind)),
                              strokes.at(static_cast<std::size_t>(curve.order)));
     }
@@ -68,12 +104,16 @@ std::string drawing(const Snapshot &snapshot, std::int32_t receiver) {
     std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
                                   "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"sans-serif\" font-size=\"13\">\n"
                                   "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-                                  "<polygon points=\"{2}\" fill=\"#f2f2f2\" stroke=\"#555\"/>\n"
-                                  "<g fill=\"none\" stroke-linejoin=\"round\">\n{3}</g>\n",
-                                  width, full, page.points(surface.outline), lines);
+                                  "<g fill-rule=\"evenodd\" stroke=\"#bbb\" stroke-width=\"0.3\">\n{2}</g>\n"
+                                  "<polygon points=\"{3}\" fill=\"none\" stroke=\"#555\"/>\n"
+                                  "<g fill=\"none\" stroke-linejoin=\"round\">\n{4}</g>\n",
+                                  width, full, regions(page, curves.arrangement), page.points(surface.outline), lines);
     double y = page.height() + legend_row / 2;
-    svg += fmt::format("<text x=\"{}\" y=\"{:.0f}\">{}, surface {} ({})</text>\n", border, y, escaped(snapshot.scene),
-                       receiver, escaped(surface.name));
+    const std::size_t n = curves.arrangement.faces.size();
+    svg += fmt::format(
+        "<text x=\"{}\" y=\"{:.0f}\">{}, surface {} ({}): {} region{}, each of one tint: inside, irradiance "
+        "is smooth</text>\n",
+        border, y, escaped(snapshot.scene), curves.receiver, escaped(surface.name), n, n == 1 ? "" : "s");
     for (const auto &[kind, order] : used) {
         y += legend_row;
         svg += fmt::format("<line x1=\"{}\" y1=\"{:.0f}\" x2=\"{}\" y2=\"{:.0f}\" stroke=\"{}\" {}/>"
@@ -82,19 +122,7 @@ std::string drawing(const Snapshot &snapshot, std::int32_t receiver) {
                            strokes.at(static_cast<std::size_t>(order)), border + 50, y,
                            name(static_cast<CurveKind>(kind)), orders.at(static_cast<std::size_t>(order)));
     }
-    return svg + "</svg>\n";
-}
-
-} // namespace
-
-std::vector<std::pair<std::string, std::string>> curve_drawings(const Snapshot &snapshot) {
-    std::set<std::int32_t> receivers;
-    for (const SnapshotCurve &curve : *snapshot.curves)
-        receivers.insert(curve.receiver);
-    std::vector<std::pair<std::string, std::string>> drawings;
-    for (const std::int32_t r : receivers)
-        drawings.emplace_back(fmt::format("receiver-{}.svg", r), drawing(snapshot, r));
-    return drawings;
+    return {fmt::format("receiver-{}.svg", curves.receiver), svg + "</svg>\n"};
 }
 
 } // namespace penumbra

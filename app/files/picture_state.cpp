@@ -1,5 +1,7 @@
 #include "files/picture_state.h"
 
+#include "files/curves_json.h"
+
 #include <nlohmann/json.hpp>
 
 namespace penumbra {
@@ -31,6 +33,8 @@ std::string picture_state(const PictureSpec &spec, const std::filesystem::path &
                    {"links", look.layers.links},
                    {"fresh", look.emphasise_fresh},
                    {"legend", spec.legend}};
+    j["curves"] = curves_json(look);
+    j["keyhole"] = spec.keyhole ? Json{spec.keyhole->point.x(), spec.keyhole->point.y(), spec.keyhole->point.z()} : Json();
     j["shading"] = name(look.shading);
     j["false_colour"] = look.false_colour;
     j["exposure"] = look.exposure_ev;

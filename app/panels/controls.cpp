@@ -149,7 +149,7 @@ bool choice(AppState &state, std::string_view name, const char *text, bool on, c
 }
 
 void heading(const char *text) {
-    ImGui::Dummy({0, em(0.35f)});
+    ImGui::Dummy({0, em(0.25f)});
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();

@@ -10,10 +10,13 @@ namespace penumbra {
 void draw_menu_bar(AppState &state);
 void draw_tool_bar(AppState &state, const WindowRect &rect);
 void draw_side_panel(AppState &state, const WindowRect &rect);   ///< layers, options, figures
+void draw_curve_filter(AppState &state);                          ///< in the side panel
 void draw_transport(AppState &state, const WindowRect &rect);    ///< step, play, the course so far, cancel
 void draw_status_bar(AppState &state, const WindowRect &rect);
 /// Labels and legends over the panes, and the mouse in them.
 void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fonts);
+/// Over the panes; part of draw_panes.
+void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 void draw_hint(AppState &state, const WindowRect &panes);        ///< until the first step
 void draw_error(AppState &state, const WindowRect &panes);       ///< the message, when it is one
 void draw_open_dialog(AppState &state);

@@ -1,6 +1,10 @@
+#include "keyhole_verbs.h"
 #include "panels/controls.h"
 #include "panels/navigation.h"
 #include "panels/panels.h"
+#include "render/event_note.h"
+#include "render/pick_curve.h"
+#include "render/surface_role.h"
 #include "verbs.h"
 
 #include <string>
@@ -28,6 +32,63 @@ void begin_drag(AppState &state, const glm::dvec3 &point, int pane) {
     state.orbit_pivot = state.pivot.value_or(point);
 }
 
+constexpr float curve_reach = 0.4f; // text heights: six pixels
+
+/// A press and a release in one place, however short the way the hand trembled.
+bool clicked() {
+    const float threshold = ImGui::GetIO().MouseDragThreshold;
+    return ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+           ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < threshold * threshold;
+}
+
+void tell_curve(const Snapshot &snapshot, int curve) {
+    const EventWords words = event_words(snapshot, (*snapshot.curves)[static_cast<std::size_t>(curve)]);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em(0.6f), em(0.4f)});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(em(24));
+    ImGui::TextUnformatted((words.sentence + " " + words.jump).c_str());
+    ImGui::TextDisabled("%s  \u00b7  %s", words.symbol.c_str(), words.way.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+/// The curve near the mouse is told of and lit up; a click pins it, a click elsewhere lets go.
+void point_at_curves(AppState &state, const Snapshot &snapshot, const WindowRect &rect, const FramePoint &at) {
+    const bool dragging = ImGui::IsItemActive() && !clicked() && ImGui::GetIO().MouseDragMaxDistanceSqr[0] > 0;
+    if (!state.look.layers.curves || dragging)
+        return;
+    const auto aspect = static_cast<double>(rect.width / rect.height);
+    const auto found = pick_curve(snapshot, state.camera, aspect, at.x, at.y, static_cast<double>(rect.height),
+                                  static_cast<double>(em(curve_reach)), state.look.curve_filter);
+    if (found)
+        state.hovered_curve = found->curve;
+    if (clicked())
+        state.pinned_curve = state.hovered_curve;
+    else if (found && !ImGui::IsItemActive() && state.pinned_curve != found->curve)
+        tell_curve(snapshot, found->curve);
+}
+
+/// With the keyhole open, a drag that begins on a surface that reflects moves the point that looks.
+void drag_keyhole(AppState &state, const Snapshot *snapshot, double aspect, const FramePoint &at) {
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        if (ImGui::IsItemDeactivated())
+            state.keyhole.dragging = false;
+        return;
+    }
+    const bool begins = ImGui::IsItemActivated() && state.keyhole.open && !ImGui::GetIO().KeyShift;
+    if (!snapshot || !(begins || state.keyhole.dragging))
+        return;
+    const auto found = pick(*snapshot, state.camera, aspect, at.x, at.y);
+    const auto reflects = [&](int surface) {
+        return role(snapshot->surfaces[static_cast<std::size_t>(surface)]) == SurfaceRole::reflector;
+    };
+    if (!found || !reflects(found->surface))
+        return;
+    state.keyhole.dragging = true;
+    move_keyhole(state, found->surface, found->point);
+}
+
 void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const ImGuiIO &io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
@@ -36,7 +97,9 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const FramePoint at = frame_point(rect, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (ImGui::IsItemActivated())
         begin_drag(state, point_under(state, snapshot.get(), aspect, at), pane);
-    if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    const bool held = state.keyhole.dragging; // also in the frame in which the point is let go
+    drag_keyhole(state, snapshot.get(), aspect, at);
+    if (ImGui::IsItemActive() && !state.keyhole.dragging && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
         const auto dx = static_cast<double>(io.MouseDelta.x), dy = static_cast<double>(io.MouseDelta.y);
         const auto height = static_cast<double>(rect.height);
         const Drag drag = drag_of(io);
@@ -53,6 +116,8 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
         zoom_by(state, static_cast<double>(io.MouseWheel), point_under(state, snapshot.get(), aspect, at));
     if (snapshot)
         state.under_cursor = pick(*snapshot, state.camera, aspect, at.x, at.y);
+    if (snapshot && snapshot->curves && !held && !state.keyhole.dragging)
+        point_at_curves(state, *snapshot, rect, at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         state.pivot = point_under(state, snapshot.get(), aspect, at);
         state.message = {"Views now turn about the point that was clicked; R goes back.", false};
@@ -73,6 +138,18 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
     if (state.layout != Layout::single && pane == state.panes().active && !state.panels_hidden)
         list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
     return height;
+}
+
+/// What the pinned curve is, above the footnote; the keyhole needs the place for its news.
+void draw_pinned(const AppState &state, ImDrawList &list, const Fonts &fonts, const WindowRect &rect) {
+    const auto snapshot = state.snapshot(state.active_strategy());
+    if (state.keyhole.open || !state.pinned_curve || !snapshot || !snapshot->curves ||
+        *state.pinned_curve >= static_cast<int>(snapshot->curves->size()))
+        return;
+    const SnapshotCurve &curve = (*snapshot->curves)[static_cast<std::size_t>(*state.pinned_curve)];
+    draw_event_note(&list, fonts, {rect.x + em(0.6f), rect.y + rect.height - em(2.2f)},
+                    std::min(em(34), rect.width - em(1.2f)), event_words(*snapshot, curve), curve_colour(curve.kind),
+                    state.look.theme);
 }
 
 /// `below`: height of the label of the pane that the scale stands in.
@@ -105,6 +182,7 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
     ImGui::Begin("panes", nullptr, panel_flags() | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                                        ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     state.under_cursor.reset();
+    state.hovered_curve.reset();
     ImDrawList &list = *ImGui::GetWindowDrawList();
     float below = 0; // one pane is wide enough for label and scale side by side
     for (int pane = 0; pane < static_cast<int>(arrangement.pane.size()); ++pane) {
@@ -121,6 +199,8 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
             below = height;
     }
     draw_legends(state, list, fonts, arrangement, below);
+    draw_keyhole(state, list, arrangement, fonts);
+    draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
     ImGui::End();
     ImGui::PopStyleVar();
 }

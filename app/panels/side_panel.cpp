@@ -12,10 +12,12 @@ namespace {
 void draw_layers(AppState &state) {
     heading("Show");
     action_check(state, "layers.mesh");
+    ImGui::SameLine(em(7.5f));
+    action_check(state, "layers.fresh", "New patches");
     action_check(state, "layers.curves", "Curves");
     ImGui::SameLine(em(7.5f));
     action_check(state, "layers.links");
-    action_check(state, "layers.fresh", "New patches");
+    draw_curve_filter(state);
 }
 
 void draw_shading(AppState &state) {
@@ -96,7 +98,8 @@ void draw_figures(const AppState &state) {
     figure("splits, of these cuts", count_words(c.splits) + ", " + count_words(c.cuts), "In this iteration.");
     figure("kernel evaluations", count_words(c.total_work.kernel_evaluations), "Of all iterations so far.");
     figure("clips", count_words(c.total_work.clips), "Sources clipped by one blocker's shadow, for one point.");
-    figure("at the depth limit", count_words(c.nodes_at_limit), "Patches that fit poorly and may not be split.");
+    if (c.nodes_at_limit > 0)
+        figure("at the depth limit", count_words(c.nodes_at_limit), "Patches that fit poorly and may not be split.");
     if (c.iteration > 0)
         figure("change", number_words(100 * c.change) + " %", "Of radiosity in this iteration, of its largest value.");
     if (snapshot->error >= 0)

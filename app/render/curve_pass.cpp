@@ -23,12 +23,14 @@ CurveStroke curve_stroke(int order) {
 
 void draw_curves(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu) {
     LineStyles styles;
+    // Beside one in the limelight the others stand back.
+    const float opacity = frame.look.spotlight.curve >= 0 && frame.look.spotlight.surface ? 0.45f : 1;
     for (int kind = 0; kind < 5; ++kind)
         for (int order = 0; order < 3; ++order) {
             const CurveStroke stroke = curve_stroke(order);
-            styles.set(styles::curve(kind, order), curve_rgba(kind), stroke.width, stroke.dash, stroke.drawn);
+            styles.set(styles::curve(kind, order), glm::vec4(glm::vec3(curve_rgba(kind)), opacity), stroke.width, stroke.dash, stroke.drawn);
         }
-    lines.draw(frame, gpu.curves, styles, 8e-4f, {0.04, 0.05, 0.07, 0.55});
+    lines.draw(frame, gpu.curves, styles, 8e-4f, {0.04, 0.05, 0.07, 0.55f * opacity});
 }
 
 } // namespace penumbra

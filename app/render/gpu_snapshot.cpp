@@ -161,10 +161,12 @@ std::vector<glm::vec4> outline_segments(const Snapshot &snapshot, const UnitSpac
     return texels;
 }
 
-std::vector<glm::vec4> curve_segments(const Snapshot &snapshot, const UnitSpace &unit) {
+std::vector<glm::vec4> curve_segments(const Snapshot &snapshot, const CurveFilter &filter, const UnitSpace &unit) {
     std::vector<glm::vec4> texels;
     if (snapshot.curves)
         for (const SnapshotCurve &curve : *snapshot.curves) {
+            if (!filter.shows(curve))
+                continue;
             float start = 0;
             for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
                 const glm::vec3 from = unit(curve.points[k]), to = unit(curve.points[k + 1]);
@@ -183,6 +185,10 @@ std::vector<glm::vec4> link_segments(const Snapshot &snapshot, const UnitSpace &
 }
 
 } // namespace
+
+void GpuSnapshot::upload_curves(const Snapshot &snapshot, const CurveFilter &filter) {
+    curves.upload(curve_segments(snapshot, filter, {centre, size}));
+}
 
 void GpuSnapshot::upload(const Snapshot &snapshot) {
     bounds = penumbra::bounds(snapshot);
@@ -205,7 +211,6 @@ void GpuSnapshot::upload(const Snapshot &snapshot) {
 
     mesh_lines.upload(mesh_segments(snapshot, mesh.sides, unit));
     outlines.upload(outline_segments(snapshot, unit));
-    curves.upload(curve_segments(snapshot, unit));
     links.upload(link_segments(snapshot, unit));
 
     // Triangles of what is seen through, from the patches that tile it, and of covers.

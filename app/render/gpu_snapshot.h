@@ -33,6 +33,8 @@ struct GpuSnapshot {
     std::vector<glm::vec4> surface_planes; ///< normal, offset: positive for points in front
 
     void upload(const Snapshot &snapshot);
+    /// The curves that the filter shows.
+    void upload_curves(const Snapshot &snapshot, const CurveFilter &filter);
 };
 
 } // namespace penumbra

@@ -137,13 +137,22 @@ namespace {
 
 struct LegendEntry {
     ImVec4 colour;
-    float width = 1, dash = 0, drawn = 1;
+    float width = 1, dash = 0, drawn = 1; ///< of the line; width 0: text alone
     std::string text;
 };
 
+/// "12 of 60 curves are hidden"; empty when the filter lets all pass. Panes that are compared have the same curves.
+std::string hidden_curves(const Look &look, const std::vector<const Snapshot *> &snapshots) {
+    if (snapshots.empty() || !snapshots.front()->curves)
+        return {};
+    const auto &curves = *snapshots.front()->curves;
+    const auto hidden = std::ranges::count_if(curves, [&](const SnapshotCurve &c) { return !look.curve_filter.shows(c); });
+    return hidden == 0 ? "" : std::to_string(hidden) + " of " + std::to_string(curves.size()) + " curves are hidden";
+}
+
 std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const Snapshot *> &snapshots) {
-    static const char *const kinds[] = {"VE: light's corner, blocker's edge", "EV: light's edge, blocker's corner",
-                                        "EEE: three edges", "plane seen edge-on", "contact"};
+    static const char *const kinds[] = {"VE: a corner behind an edge", "EV: a corner before an edge",
+                                        "EEE: three edges meet", "plane seen edge-on", "contact"};
     std::vector<LegendEntry> entries;
     bool uniform = false, cut = false, fresh = false, blocker = false;
     std::set<std::pair<int, int>> curves;
@@ -159,7 +168,8 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
             blocker |= role(surface) == SurfaceRole::blocker;
         if (s->curves)
             for (const SnapshotCurve &c : *s->curves)
-                curves.emplace(c.kind, c.order);
+                if (look.curve_filter.shows(c))
+                    curves.emplace(c.kind, c.order);
     }
     const auto add_mesh = [&](SideKind kind, bool is_fresh, const char *text) {
         entries.push_back({to_imgui(mesh_colour(kind, is_fresh)), mesh_width(kind, is_fresh), 0, 1, text});
@@ -178,6 +188,8 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
             const std::string jump = order == 0 ? " (value jumps)" : order == 1 ? " (slope jumps)" : "";
             entries.push_back({curve_colour(kind), stroke.width, stroke.dash, stroke.drawn, kinds[std::clamp(kind, 0, 4)] + jump});
         }
+    if (const std::string hidden = hidden_curves(look, snapshots); look.layers.curves && !hidden.empty())
+        entries.push_back({{}, 0, 0, 1, hidden});
     if (blocker)
         entries.push_back({to_imgui(outline_colour(SurfaceRole::blocker, look.theme)), outline_width(SurfaceRole::blocker), 0, 1,
                            "blocker, seen through"});
@@ -191,12 +203,15 @@ ImVec2 flow(ImDrawList *list, const Fonts &fonts, ImVec2 corner, float width, co
     const float scale = em / 15;
     float x = 0, y = 0, widest = 0;
     for (const LegendEntry &e : entries) {
-        const float text_width = size_of(fonts, em, e.text).x, all = swatch + gap + text_width;
+        const float text_width = size_of(fonts, em, e.text).x, before = e.width > 0 ? swatch + gap : 0;
+        const float all = before + text_width;
         if (x > 0 && x + all > width) {
             x = 0;
             y += line;
         }
-        if (list != nullptr) {
+        if (list != nullptr && e.width <= 0)
+            list->AddText(fonts.text, em, {corner.x + x, corner.y + y}, ink(look), e.text.c_str());
+        else if (list != nullptr) {
             // On the grey of a lit floor, where lines look as they do in the picture.
             const ImVec2 low(corner.x + x, corner.y + y), high(low.x + swatch, low.y + em);
             list->AddRectFilled(low, high, IM_COL32(178, 178, 178, 255), 0.15f * em);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "iteration/snapshot.h"
+#include "render/curve_filter.h"
 
 #include <glm/glm.hpp>
 
@@ -22,6 +23,7 @@ struct Layers {
     bool mesh = true;   ///< sides of the patches
     bool curves = true; ///< discontinuity curves, coloured by kind
     bool links = false; ///< from receiver to source centres
+    bool operator==(const Layers &) const = default;
 };
 
 /// Radiosities that are told apart [W/m2].
@@ -33,6 +35,13 @@ struct Range {
 enum class Theme { dark, light };
 glm::vec4 background_colour(Theme theme); ///< sRGB
 
+/// The curve that stands out among the others.
+struct Spotlight {
+    int curve = -1;      ///< of snapshot.curves; -1: none
+    bool surface = true; ///< with the surface of lines of sight that throws it
+    bool operator==(const Spotlight &) const = default;
+};
+
 struct Look {
     Shading shading = Shading::polynomial;
     Layers layers;
@@ -40,7 +49,10 @@ struct Look {
     std::optional<Range> range; ///< none: each pane takes common_range() of its own snapshot
     bool false_colour = false;  ///< cividis over the range, in place of true colour
     bool emphasise_fresh = true; ///< patches made in this iteration are outlined brighter
+    CurveFilter curve_filter;
+    Spotlight spotlight;
     Theme theme = Theme::dark;
+    bool operator==(const Look &) const = default;
 };
 
 /// 0 to the largest reflected radiosity of all snapshots, rounded up to two significant digits, so that panes that are

@@ -1,5 +1,6 @@
 #include "render/pane_renderer.h"
 
+#include "render/critical_pass.h"
 #include "render/curve_pass.h"
 #include "render/glass_pass.h"
 #include "render/gpu_snapshot.h"
@@ -8,6 +9,7 @@
 #include "render/surface_pass.h"
 
 #include <cmath>
+#include <utility>
 
 namespace penumbra {
 
@@ -17,7 +19,21 @@ struct PaneRenderer::Parts {
     GlassPass glass;
     LinePass lines;
     gl::VertexArray no_attributes; // shaders fetch what they need by gl_VertexID
-    std::optional<std::uint64_t> version;
+    CriticalPass critical;
+    std::shared_ptr<const Snapshot> snapshot; // null before the first upload
+    std::uint64_t version = 0;                // of the snapshot when it was uploaded
+    std::optional<CurveFilter> filter;        // of the curves that are there; none: not yet
+    std::optional<Spotlight> spotlight;
+
+    /// Curves follow the look, which may change from frame to frame while the snapshot stays.
+    void follow(const Look &look) {
+        if (filter != look.curve_filter)
+            gpu.upload_curves(*snapshot, look.curve_filter);
+        if (spotlight != look.spotlight)
+            critical.upload(*snapshot, look.spotlight);
+        filter = look.curve_filter;
+        spotlight = look.spotlight;
+    }
 
     Frame frame(const Camera &camera, const Look &look, const PixelRect &rect, PixelScale pixel_scale) const {
         const auto to_unit = [&](const glm::dvec3 &x) { return (x - gpu.centre) / gpu.size; };
@@ -42,11 +58,14 @@ struct PaneRenderer::Parts {
 PaneRenderer::PaneRenderer() : parts_(std::make_unique<Parts>()) {}
 PaneRenderer::~PaneRenderer() = default;
 
-void PaneRenderer::upload(const Snapshot &snapshot) {
-    if (parts_->version == snapshot.version)
+void PaneRenderer::upload(std::shared_ptr<const Snapshot> snapshot) {
+    if (parts_->snapshot && parts_->version == snapshot->version)
         return;
-    parts_->gpu.upload(snapshot);
-    parts_->version = snapshot.version;
+    parts_->gpu.upload(*snapshot);
+    parts_->version = snapshot->version;
+    parts_->snapshot = std::move(snapshot);
+    parts_->filter.reset();
+    parts_->spotlight.reset();
 }
 
 namespace {
@@ -85,7 +104,8 @@ void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect 
     if (rect.width < 1 || rect.height < 1)
         return;
     open(rect, framebuffer_height, background_colour(look.theme));
-    if (parts_->version) {
+    if (parts_->snapshot) {
+        parts_->follow(look);
         const Frame frame = parts_->frame(camera, look, rect, pixel_scale);
         const GpuSnapshot &gpu = parts_->gpu;
         glBindVertexArray(parts_->no_attributes.name());
@@ -107,13 +127,14 @@ void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect 
         draw_outlines(parts_->lines, frame, gpu);
         if (look.layers.links)
             draw_links(parts_->lines, frame, gpu);
+        parts_->critical.draw(parts_->lines, frame);
     }
     close();
 }
 
 void PaneRenderer::draw_values(const Camera &camera, Shading shading, const PixelRect &rect, int framebuffer_height) {
     open(rect, framebuffer_height, glm::vec4(0));
-    if (parts_->version) {
+    if (parts_->snapshot) {
         Look look;
         look.shading = shading;
         const Frame frame = parts_->frame(camera, look, rect, {});

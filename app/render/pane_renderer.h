@@ -24,8 +24,8 @@ public:
     PaneRenderer(const PaneRenderer &) = delete;
     PaneRenderer &operator=(const PaneRenderer &) = delete;
 
-    /// Brings the snapshot to the GPU, unless its version is the one that is there.
-    void upload(const Snapshot &snapshot);
+    /// Brings the snapshot to the GPU, unless its version is the one that is there, and keeps it.
+    void upload(std::shared_ptr<const Snapshot> snapshot);
 
     /// Clears the rectangle to the theme's background and draws what was uploaded. `framebuffer_height` [pixels] says
     /// where the top is. Leaves blending, depth test and scissor off, and no program or vertex array bound. Lines are

@@ -21,16 +21,11 @@ struct Shown {
     bool draft = false; ///< of one sample a pixel
 };
 
-bool same(const Look &a, const Look &b) {
-    return a.shading == b.shading && a.layers.mesh == b.layers.mesh && a.layers.curves == b.layers.curves &&
-           a.layers.links == b.layers.links && a.exposure_ev == b.exposure_ev && a.range == b.range &&
-           a.false_colour == b.false_colour && a.emphasise_fresh == b.emphasise_fresh && a.theme == b.theme;
-}
 bool same(const PixelRect &a, const PixelRect &b) {
     return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
 bool same(const Shown &a, const Shown &b) {
-    return a.version == b.version && a.camera == b.camera && same(a.look, b.look) && same(a.rect, b.rect);
+    return a.version == b.version && a.camera == b.camera && a.look == b.look && same(a.rect, b.rect);
 }
 
 PixelRect pixels(const WindowRect &r, double ratio) {
@@ -86,7 +81,7 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
         if (p.shown[i] && same(*p.shown[i], now) && (moving || !p.shown[i]->draft))
             continue;
         (moving ? *p.kept : *p.sampled).bind();
-        p.renderers[i].upload(*snapshot);
+        p.renderers[i].upload(snapshot);
         p.renderers[i].draw(state.camera, look, now.rect, height, {pixel_ratio * state.ui_scale});
         if (!moving)
             p.kept->resolve(*p.sampled, now.rect.x, height - now.rect.y - now.rect.height, now.rect.width, now.rect.height);

@@ -3,6 +3,7 @@
 #include "action.h"
 #include "core/atomic_write.h"
 #include "files/state_text.h"
+#include "keyhole_verbs.h"
 #include "panels/panels.h"
 #include "verbs.h"
 #include "window/take_picture.h"
@@ -115,6 +116,10 @@ double Viewer::wait_time() {
         else if (left > -0.1)
             frames_owed_ = std::max(frames_owed_, 1);
     }
+    if (const double left = crossing_glows(state_, Clock::now()); left > 0)
+        wait = sooner(wait, left + 0.01);
+    else if (drawn_spotlight_ != spotlight(state_))
+        frames_owed_ = std::max(frames_owed_, 1);
     if (canvas_.draft()) {
         if (const double left = rest_seconds - seconds_since(moved_at_); left > 0)
             wait = sooner(wait, left);
@@ -152,12 +157,13 @@ void Viewer::update_range() {
         state_.look.range = common_range(snapshots);
 }
 
-/// Whether the camera has moved a moment ago.
+/// Whether the camera, or the mouse from curve to curve, has moved a moment ago.
 bool Viewer::is_moving() {
-    if (!drawn_camera_ || *drawn_camera_ != state_.camera) {
+    if (!drawn_camera_ || *drawn_camera_ != state_.camera || drawn_spotlight_ != spotlight(state_)) {
         if (drawn_camera_) // the first view comes at rest
             moved_at_ = Clock::now();
         drawn_camera_ = state_.camera;
+        drawn_spotlight_ = spotlight(state_);
     }
     return seconds_since(moved_at_) < rest_seconds;
 }
@@ -166,6 +172,7 @@ bool Viewer::is_moving() {
 Look Viewer::look_now() const {
     Look look = state_.look;
     look.emphasise_fresh = look.emphasise_fresh && seconds_since(state_.fresh_since) < fresh_seconds;
+    look.spotlight = spotlight(state_);
     return look;
 }
 

@@ -60,7 +60,8 @@ private:
     double fonts_scale_ = 0;
     std::optional<Theme> theme_;
     std::optional<Camera> drawn_camera_; ///< of the frame before
-    Clock::time_point moved_at_;         ///< when the camera was last seen to move
+    Spotlight drawn_spotlight_;
+    Clock::time_point moved_at_;         ///< when one of them was last seen to change
     int frames_owed_ = 2; ///< ImGui shows some changes a frame later
     std::string written_state_;
 };

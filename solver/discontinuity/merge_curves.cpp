@@ -34,7 +34,10 @@ std::vector<Curve> merge_line(std::vector<Curve> members) {
             own.subtract(i);
         own.drop_shorter(shortest_curve);
         for (const Interval &i : own.intervals()) {
-            Curve curve = *first;
+            // Its kind and what its lines of sight touch are those of the longest member within it.
+            Curve curve = *std::ranges::max_element(std::ranges::subrange(first, last), {}, [&](const Curve &c) {
+                return overlap(interval(c), i).length();
+            });
             curve.from = foot + i.low * along;
             curve.to = foot + i.high * along;
             curve.blockers.clear();

@@ -23,7 +23,7 @@ Vec2 nearest_point(std::span<const Vec2> convex, const Vec2 &p);
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
 Polygon convex_hull(Polygon points);
 /// Convex parts of a simple counter-clockwise polygon (CGAL; as few as possible up to 32 corners); the polygon itself
-/// when it is convex.
+/// when it is convex. No corner of a part is in line with its neighbours, even where a corner of another part lies.
 std::vector<Polygon> convex_parts(const Polygon &polygon);
 /// The convex polygon in pieces of at most four corners: the quads and triangles of the parametric basis.
 std::vector<Polygon> quads_and_triangles(const Polygon &convex);

@@ -11,8 +11,6 @@ namespace penumbra {
 
 namespace {
 
-constexpr double rounding = 1e-9;    // of a side: an end this near to a corner is the corner
-constexpr double least_width = 1e-6; // of the element's size: what a child must have
 
 struct Crossing {
     int side;
@@ -47,8 +45,8 @@ double width(const std::array<Vec2, 4> &corners) {
     return longest > 0 ? area(corners) / longest : 0;
 }
 
-/// Where the line meets the border, at most one crossing a corner.
-std::vector<Crossing> crossings(const Quad &q, const HalfPlane &line, int &n_snapped) {
+/// Where the line meets the border, at most one crossing a corner; those within `reach` of a corner are moved there.
+std::vector<Crossing> crossings(const Quad &q, const HalfPlane &line, double reach, int &n_snapped) {
     std::vector<Crossing> found;
     for (int i = 0; i < 4; ++i) {
         if (q.degenerate(i))
@@ -56,19 +54,15 @@ std::vector<Crossing> crossings(const Quad &q, const HalfPlane &line, int &n_sna
         const double a = line.value(q.corner(i)), b = line.value(q.corner(i + 1));
         if ((a > 0 && b > 0) || (a < 0 && b < 0) || a == b)
             continue;
-        double t = std::clamp(a / (a - b), 0.0, 1.0);
-        if (t > 0 && t < rounding) {
-            t = 0;
-            ++n_snapped;
-        }
-        if (t < 1 && t > 1 - rounding) {
-            t = 1;
-            ++n_snapped;
-        }
-        const Vec2 point = t == 0 ? q.corner(i) : t == 1 ? q.corner(i + 1) : Vec2(q.corner(i) + t * (q.corner(i + 1) - q.corner(i)));
+        const Vec2 side = q.corner(i + 1) - q.corner(i);
+        const double length = side.norm(), met = std::clamp(a / (a - b), 0.0, 1.0);
+        const double t = met * length < reach ? 0 : (1 - met) * length < reach ? 1 : met;
+        const Vec2 point = t == 0 ? q.corner(i) : t == 1 ? q.corner(i + 1) : Vec2(q.corner(i) + t * side);
         const bool known = std::ranges::any_of(found, [&](const Crossing &c) { return c.point == point; });
-        if (!known)
-            found.push_back({i, t, point});
+        if (known)
+            continue;
+        found.push_back({i, t, point});
+        n_snapped += t != met;
     }
     return found;
 }
@@ -83,7 +77,7 @@ CutStep between_opposite(const Quad &q, const Vec2 &p, const Vec2 &r, int piece,
 
 bool wide_enough(const CutStep &step, double size) {
     return std::ranges::all_of(
-        step.children, [&](const ElementBasis &child) { return width(child.quad()->corners) > least_width * size; });
+        step.children, [&](const ElementBasis &child) { return width(child.quad()->corners) > snap_reach(size); });
 }
 
 /// Sides on which a crossing may be counted: its own, and the neighbour's when it stands in a corner.
@@ -134,7 +128,7 @@ std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line) {
     Quad q{element.basis.quad()->corners, element.sides};
     const double size = 2 * radius(q.corners);
     CutPlan plan;
-    std::vector<Crossing> ends = crossings(q, line, plan.n_snapped);
+    const std::vector<Crossing> ends = crossings(q, line, snap_reach(size), plan.n_snapped);
     if (ends.size() != 2)
         return std::nullopt;
 
@@ -156,7 +150,7 @@ std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line) {
         // The lone corner: on the cut's one side alone (or on the cut itself).
         std::array<double, 3> h;
         for (std::size_t i = 0; i < 3; ++i)
-            h[i] = line.value(corner[i]);
+            h[i] = std::ranges::find(ends, corner[i], &Crossing::point) != ends.end() ? 0 : line.value(corner[i]);
         std::size_t lone = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             const double x = h[i], y = h[(i + 1) % 3], z = h[(i + 2) % 3];
@@ -166,14 +160,11 @@ std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line) {
         // corners A (lone), B, C; sides AB, BC, CA.
         const Vec2 A = corner[lone], B = corner[(lone + 1) % 3], C = corner[(lone + 2) % 3];
         const SideKind AB = side[lone], BC = side[(lone + 1) % 3], CA = side[(lone + 2) % 3];
-        const auto on = [&](const Vec2 &from, const Vec2 &to) {
-            const double a = line.value(from), b = line.value(to);
-            double s = a == b ? 1.0 : std::clamp(a / (a - b), 0.0, 1.0);
-            if (s > 1 - rounding)
-                s = 1;
-            return s == 1 ? to : Vec2(from + s * (to - from));
+        const auto on = [&](std::size_t to) {
+            const double a = h[lone], b = h[to];
+            return b == 0 ? corner[to] : Vec2(A + a / (a - b) * (corner[to] - A));
         };
-        const Vec2 P = on(A, B), R = on(A, C);
+        const Vec2 P = on((lone + 1) % 3), R = on((lone + 2) % 3);
         CutStep step;
         step.children = {ElementBasis(order, BilinearQuad{{A, P, R, R}}),
                          ElementBasis(order, BilinearQuad{{P, B, C, R}})};
@@ -220,10 +211,11 @@ void cut(Forest &forest, ElementId leaf, const CutPlan &plan, int iteration) {
     for (const CutStep &step : plan.steps) {
         const ElementId parent = step.piece == 0 ? leaf : ElementId(first_pieces.index + step.piece - 1);
         const ElementId first(forest.elements.size());
+        const int deeper = step.piece == 0 ? plan.half_depth : 0;
         for (std::size_t c = 0; c < 2; ++c) {
             const Element above = forest[parent];
-            add_child(forest, parent, step.children[c], step.sides[c], above.half_depth, above.n_cuts + 1, iteration,
-                      std::make_shared<const TwoScale>(two_scale(above.basis, step.children[c])));
+            add_child(forest, parent, step.children[c], step.sides[c], above.half_depth + deeper, above.n_cuts + 1,
+                      iteration, std::make_shared<const TwoScale>(two_scale(above.basis, step.children[c])));
         }
         forest[parent].first_child = first;
         forest[parent].n_children = 2;

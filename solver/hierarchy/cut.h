@@ -4,6 +4,7 @@
 #include "geometry/convex_pieces.h"
 #include "hierarchy/forest.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace penumbra {
@@ -19,14 +20,19 @@ struct CutStep {
 /// cuts a triangle), two when it enters and leaves through neighbouring sides (the extra step of figure 3(b)).
 struct CutPlan {
     std::vector<CutStep> steps;
-    int n_snapped = 0; ///< ends of the line that were moved onto a corner, to within rounding
+    int half_depth = 0; ///< that the children are deeper: 0 for a cut along a curve
+    int n_snapped = 0; ///< ends of the line that were moved onto a corner
 
     /// The elements that tile it when all steps are done.
     std::vector<ElementBasis> leaves() const;
 };
 
-/// The plan for the line h = 0, or none when it misses the element or would leave a child of no width (below 1e-6 of
-/// the element's size).
+/// An end of a cut this near to a corner of an element is moved there, and what is no wider is no child: a millionth of
+/// the element's size, and no less than what curves that should meet may miss each other by [solver units].
+constexpr double snap_reach(double element_size) { return std::max(1e-6 * element_size, 1e-8); }
+
+/// The plan for the line h = 0, or none when it misses the element or runs along a side or past a corner, to within
+/// snap_reach. tests/identity/snapping_test.cpp.
 std::optional<CutPlan> plan_cut(const Element &element, const HalfPlane &line);
 
 /// Carries the plan out on a leaf; the filters of its children are computed here.

@@ -9,8 +9,8 @@ namespace penumbra {
 
 namespace {
 
-constexpr double rounding = 1e-9;    // of the frame's unit: a corner this near to the line is on it
-constexpr double least_width = 1e-6; // of the frame's unit: what a part must have
+constexpr double reach = 1e-6; // of the frame's unit, as snap_reach in cut.h: nearer corners are on the line, and a part
+                               // must be wider
 
 struct Part {
     Polygon corners;
@@ -53,8 +53,8 @@ std::optional<std::array<PlanarPiece, 2>> split(const PlanarDomain &domain, cons
     std::vector<double> height;
     for (const Vec2 &p : corners) {
         const double h = line.value(p) / scale;
-        n_snapped += h != 0 && std::abs(h) < rounding;
-        height.push_back(std::abs(h) < rounding ? 0 : h);
+        n_snapped += h != 0 && std::abs(h) < reach;
+        height.push_back(std::abs(h) < reach ? 0 : h);
     }
     std::array<Part, 2> parts; // the second one on the line's other side
     for (std::size_t i = 0; i < n; ++i) {
@@ -76,7 +76,7 @@ std::optional<std::array<PlanarPiece, 2>> split(const PlanarDomain &domain, cons
         }
     }
     for (const Part &part : parts)
-        if (part.corners.size() < 3 || width(part.corners) <= least_width)
+        if (part.corners.size() < 3 || width(part.corners) <= reach)
             return std::nullopt;
     return std::array<PlanarPiece, 2>{PlanarPiece{domain.part(parts[0].corners), std::move(parts[0].sides)},
                                       PlanarPiece{domain.part(parts[1].corners), std::move(parts[1].sides)}};

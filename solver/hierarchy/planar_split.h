@@ -17,7 +17,7 @@ struct PlanarPiece {
 };
 
 /// The two parts of the domain on either side of the line h = 0 of its own frame, the inside (h > 0) first, with
-/// `new_side` along the line. Corners nearer to the line than 1e-9 of the frame's unit are on it (counted in
+/// `new_side` along the line. Corners nearer to the line than 1e-6 of the frame's unit are on it (counted in
 /// `n_snapped`). None when the line misses the polygon or leaves a part narrower than 1e-6 of the frame.
 std::optional<std::array<PlanarPiece, 2>> split(const PlanarDomain &domain, const std::vector<SideKind> &sides,
                                                 const HalfPlane &line, SideKind new_side, int &n_snapped);

@@ -42,11 +42,20 @@ struct SnapshotPatch {
     bool at_limit = false;              ///< failed the oracle at the depth limit
 };
 
+/// An edge that lines of sight touch; a corner has both ends in one place.
+struct SnapshotEdge {
+    Vec3 a, b;
+    std::int32_t surface = -1;          ///< whose it is; -1: not known
+
+    bool is_corner() const { return a == b; }
+};
+
 struct SnapshotCurve {
     std::int32_t kind = 0, order = 2;   ///< as CurveKind
     std::int32_t source = 0, receiver = 0;
     std::vector<std::int32_t> blockers;
     std::vector<Vec3> points;           ///< polyline on the receiver
+    std::vector<SnapshotEdge> touched{}; ///< what all lines of sight from the curve to the source touch; see curve.h
 };
 
 struct SnapshotLink {
@@ -63,7 +72,7 @@ struct Snapshot {
     std::vector<SnapshotSurface> surfaces;
     std::vector<SnapshotPatch> patches; ///< of all surfaces, dark and emitting ones too
     std::vector<Rgb> coefficients;
-    std::shared_ptr<const std::vector<SnapshotCurve>> curves; ///< of all emitters; the same object in all steps
+    std::shared_ptr<const std::vector<SnapshotCurve>> curves; ///< of all emitters, then of reflectors in the order in which they were needed
     std::vector<SnapshotLink> links;
     double peak = 0;                    ///< largest reflected radiosity B - E, largest channel [W/m2]
     double error = -1;                  ///< relative L2 error against the exact direct solution; negative: not known

@@ -67,7 +67,7 @@ TEST(ShaderValue, EqualsTheSolversOnPatchesOfAllShapes) {
     const Offscreen context;
     PaneRenderer renderer;
     const auto snapshot = synthetic::patch_zoo();
-    renderer.upload(*snapshot);
+    renderer.upload(snapshot);
     for (std::size_t i = 0; i < snapshot->patches.size(); ++i) {
         const Camera camera = over(*snapshot, snapshot->patches[i]);
         const Values values = draw_values(renderer, camera, Shading::polynomial);
@@ -97,7 +97,7 @@ TEST(ShaderValue, FlatIsTheMeanOverTheArea) {
     const Offscreen context;
     PaneRenderer renderer;
     const auto snapshot = synthetic::patch_zoo();
-    renderer.upload(*snapshot);
+    renderer.upload(snapshot);
     for (const SnapshotPatch &patch : snapshot->patches) {
         // Midpoints of a fine grid of parameters, weighted by the Jacobian: by another way than the renderer's.
         constexpr int n = 100;
@@ -136,7 +136,7 @@ TEST(ShaderValue, ToneIsTheLegends) {
                 c = Rgb::Zero();
             snapshot->coefficients[static_cast<std::size_t>(snapshot->patches[0].first)] = Rgb::Constant(value);
             ++snapshot->version;
-            renderer.upload(*snapshot);
+            renderer.upload(snapshot);
             target.bind();
             renderer.draw(camera, look, {0, 0, side, side}, side);
             const Image image = read_pixels(side / 2, side / 2, 1, 1);
@@ -150,7 +150,7 @@ TEST(ShaderValue, LampInTheCeilingsPlaneIsOnTop) {
     const Offscreen context;
     PaneRenderer renderer;
     const auto snapshot = synthetic::closed_room();
-    renderer.upload(*snapshot);
+    renderer.upload(snapshot);
     Camera camera;
     camera.eye = {0.5, 0.45, 0.1};
     camera.target = {0.5, 0.5, 1};
@@ -166,7 +166,7 @@ TEST(ShaderValue, WallsAreSeenThroughFromBehind) {
     const Offscreen context;
     PaneRenderer renderer;
     const auto snapshot = synthetic::closed_room();
-    renderer.upload(*snapshot);
+    renderer.upload(snapshot);
     const Camera camera{{0.5, -3, 0.8}, {0.5, 1, 0.8}, {0, 0, 1}, 20}; // before the front wall
     const Values values = draw_values(renderer, camera, Shading::polynomial);
     const auto found = pick(*snapshot, camera, 1, 0, 0);

@@ -181,6 +181,31 @@ std::shared_ptr<const Snapshot> lamp_and_blocker() {
     return s;
 }
 
+std::shared_ptr<const Snapshot> two_events() {
+    auto s = std::make_shared<Snapshot>(*lamp_and_blocker());
+    const int floor = 0, lamp = 1, lower = 2;
+    const Vec3 p(-0.05, -0.15, 1.35), q(0.2308, -0.2923, 1.1), aside(-0.4, -0.3, 0.05);
+    const int upper = add_surface(*s, "upper", {q, p, p + aside, q + aside}, Rgb::Zero());
+    add_whole(*s, upper, 1, [](const Vec2 &) { return Rgb::Zero(); });
+    const auto on_floor = [](const Vec3 &x, const Vec3 &through) -> Vec3 {
+        return x + x.z() / (x.z() - through.z()) * (through - x);
+    };
+    auto curves = std::make_shared<std::vector<SnapshotCurve>>();
+    const Vec3 corner(0.5, -0.5, 2), a(0.2, -0.4, 0.7), b(0.2, 0.44, 0.7);
+    curves->push_back({0, 2, lamp, floor, {lower}, {on_floor(corner, a), on_floor(corner, b)},
+                       {{corner, corner, lamp}, {a, b, lower}}});
+    const Vec3 end(-0.5, -0.5, 2);
+    SnapshotCurve conic{2, 2, lamp, floor, {lower, upper}, {}, {{end, corner, lamp}, {a, b, lower}, {p, q, upper}}};
+    for (int i = 0; i <= 32; ++i) {
+        const Vec3 x = end + (0.2 + 0.6 * i / 32) * (corner - end);
+        conic.points.push_back(on_floor(x, x + (a - x).cross(b - x).cross((p - x).cross(q - x))));
+    }
+    curves->push_back(conic);
+    s->curves = curves;
+    finish(*s, "two events", 13);
+    return s;
+}
+
 std::shared_ptr<const Snapshot> closed_room() {
     auto s = std::make_shared<Snapshot>();
     const Rgb white = Rgb::Constant(0.7), red(0.6, 0.06, 0.05), green(0.1, 0.45, 0.09);

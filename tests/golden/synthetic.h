@@ -18,6 +18,10 @@ std::shared_ptr<const Snapshot> patch_zoo();
 /// curves of all kinds and orders, some links, fresh patches.
 std::shared_ptr<const Snapshot> lamp_and_blocker();
 
+/// The same under two blockers, with two curves that are truly thrown: 0 by the lamp's corner and the lower blocker's
+/// edge (VE), 1 by an edge of the lamp and one of each blocker (EEE).
+std::shared_ptr<const Snapshot> two_events();
+
 /// A closed room seen through its walls' backs, with a lamp in the ceiling's plane (the ceiling is covered there), and a
 /// two-sided screen in the middle; walls red and green.
 std::shared_ptr<const Snapshot> closed_room();

@@ -161,6 +161,46 @@ TEST(Cuts, RoundTripsKeepThePlanesPolynomials) {
         }
 }
 
+/// The sum of pull push over the four children of a uniform split.
+Eigen::MatrixXd four_way(const Forest &forest, ElementId parent) {
+    const int n = forest[parent].basis.n_functions();
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+    for (int c = 0; c < 4; ++c) {
+        const TwoScale &filters = *forest[ElementId(forest[parent].first_child.index + c)].filters;
+        sum += filters.pull * filters.push;
+    }
+    return sum;
+}
+
+TEST(Cuts, UniformSubdivisionBelowACutUsesThePredefinedFilters) {
+    // The paper, end of section 5: after cuts go back to the quad-tree and its filters; a flag tells the levels apart.
+    for (const Cut &c : all_cuts())
+        for (int order = 1; order <= 4; ++order) {
+            Forest forest = cut_forest(c, order);
+            std::vector<ElementId> pieces;
+            for_each_leaf(forest, ElementId(0), [&](ElementId leaf) { pieces.push_back(leaf); });
+            for (const ElementId piece : pieces)
+                subdivide(forest, piece, 2);
+            EXPECT_EQ(forest.elements[0].split, SplitKind::cut);
+            for (const ElementId piece : pieces) {
+                EXPECT_EQ(forest[piece].split, SplitKind::uniform) << c.name;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const Element &child = forest.elements[forest[piece].first_child.at() + k];
+                    EXPECT_EQ(child.filters, uniform_two_scale(order)[k]) << c.name;
+                    // And they are the filters of this very child: integrated over it they come out the same.
+                    const TwoScale computed = two_scale(forest[piece].basis, child.basis);
+                    EXPECT_LT((computed.push - child.filters->push).cwiseAbs().maxCoeff(), 1e-7) << c.name;
+                    EXPECT_LT((computed.pull - child.filters->pull).cwiseAbs().maxCoeff(), 1e-7) << c.name;
+                }
+                const Eigen::MatrixXd trip = four_way(forest, piece);
+                EXPECT_LT((trip - Eigen::MatrixXd::Identity(trip.rows(), trip.cols())).cwiseAbs().maxCoeff(), 1e-12);
+            }
+            const Eigen::MatrixXd polynomials = plane_polynomials(forest.elements[0], order);
+            const Eigen::MatrixXd back = round_trip(forest) * polynomials;
+            EXPECT_LT((back - polynomials).cwiseAbs().maxCoeff() / polynomials.cwiseAbs().maxCoeff(), 1e-7) << c.name;
+        }
+}
+
 /// Largest part of a function's own coefficient that a round trip loses.
 double loss(const Cut &c, int order) {
     const Forest forest = cut_forest(c, order);

@@ -61,7 +61,7 @@ TEST_F(CommandLine, WrongUseIsTwoAndOneLine) {
     for (const char *wrong : {"solve", "solve figure-4 --order 5", "solve figure-4 --order x", "solve figure-4 --bogus",
                               "solve figure-4 --strategy best", "solve figure-4 --threshold 0",
                               "solve figure-4 --threshold nan", "solve figure-4 more", "solve figure-4 --probe p.csv",
-                              "solve figure-4 --max-depth -1", "curves figure-4", "solve figure-4 --up w"}) {
+                              "solve figure-4 --max-depth -1", "solve figure-4 --cut all", "curves figure-4", "solve figure-4 --up w"}) {
         const Result result = run(wrong);
         EXPECT_EQ(result.status, 2) << wrong;
         EXPECT_THAT(result.err, StartsWith("penumbra: ")) << wrong;
@@ -100,11 +100,16 @@ TEST_F(CommandLine, WhatCannotBeWrittenIsFive) {
     }
 }
 
+/// A line each: the name, and from one column on what it is.
 TEST_F(CommandLine, ScenesAreListed) {
     const Result result = run("scenes");
     EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(std::ranges::count(result.out, '\n'), 7);
-    EXPECT_THAT(result.out, HasSubstr("cornell-box"));
+    EXPECT_THAT(result.out, HasSubstr("cornell-box      The Cornell box"));
+    EXPECT_THAT(result.out, HasSubstr("venetian-blinds  A long narrow window"));
+    std::size_t n_files = 0;
+    for (const auto &file : fs::directory_iterator(PENUMBRA_SOURCE_DIR "/assets/scenes"))
+        n_files += file.path().extension() == ".obj";
+    EXPECT_EQ(std::ranges::count(result.out, '\n'), static_cast<std::ptrdiff_t>(n_files));
 }
 
 TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
@@ -131,6 +136,19 @@ TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
     EXPECT_EQ(json["final"]["converged"], true);
     EXPECT_EQ(json["diagnostics"]["non_finite"], 0);
     EXPECT_TRUE(json["tolerance"].is_null());
+}
+
+TEST_F(CommandLine, TheRecordSaysHowItWasCut) {
+    const auto cuts = [&](const std::string &options) {
+        EXPECT_EQ(run("solve figure-4 --threshold 0.01 -o r.json" + options).status, 0);
+        const auto json = record("r.json");
+        EXPECT_GE(json["final"]["snapped_cuts"], 0);
+        EXPECT_GE(json["final"]["left_out_curves"], 0);
+        return json["cut"];
+    };
+    EXPECT_EQ(cuts(""), "curves");
+    EXPECT_EQ(cuts(" --cut curves"), "curves");
+    EXPECT_EQ(cuts(" --cut best"), "best");
 }
 
 TEST_F(CommandLine, TheRecordGoesToStandardOutputUnlessNamed) {
@@ -183,6 +201,31 @@ TEST_F(CommandLine, CurvesAreRowsOfPolylines) {
         EXPECT_EQ(std::ranges::count(line, ','), 8) << line;
     EXPECT_GE(n, 4) << "two ends of two lines at least";
     EXPECT_THAT(text(folder / "drawings" / "receiver-0.svg"), StartsWith("<svg"));
+}
+
+/// Two lines cross figure-4's floor from side to side: three regions. Each edge names faces and curves that there are.
+TEST_F(CommandLine, RegionsOfAReceiverAsJson) {
+    ASSERT_EQ(run("curves figure-4 -o c.csv --arrangement regions").status, 0);
+    const auto json = nlohmann::json::parse(text(folder / "regions" / "receiver-0.json"));
+    EXPECT_EQ(json["scene"], "figure-4");
+    EXPECT_EQ(json["receiver"], 0);
+    ASSERT_EQ(json["faces"].size(), 3U);
+    EXPECT_EQ(json["vertices"].size(), 4U + 4U);
+    EXPECT_EQ(json["edges"].size(), 8U + 2U);
+    int n_inner = 0;
+    for (const auto &edge : json["edges"]) {
+        EXPECT_EQ(edge["border"], edge["left"] == -1 || edge["right"] == -1);
+        EXPECT_EQ(edge["border"], edge["curves"].empty());
+        n_inner += edge["border"] == false;
+    }
+    EXPECT_EQ(n_inner, 2);
+    std::vector<double> areas;
+    for (const auto &face : json["faces"])
+        areas.push_back(face["area"]);
+    // The floor is 2 x 2; the file says where its penumbra lies, to four digits.
+    EXPECT_THAT(areas, testing::UnorderedElementsAre(testing::DoubleNear(2 * (0.5972 + 1), 1.1e-4),
+                                                     testing::DoubleNear(2 * (0.6528 - 0.5972), 2.1e-4),
+                                                     testing::DoubleNear(2 * (1 - 0.6528), 1.1e-4)));
 }
 
 /// Starts a solution that takes minutes, sends the signal, and waits.
