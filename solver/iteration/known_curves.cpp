@@ -11,6 +11,8 @@ namespace penumbra {
 
 namespace {
 
+constexpr std::size_t most_blockers = 60; // between a reflector and a receiver
+
 void add(const Scene &scene, State &state, std::vector<Curve> found) {
     std::vector<Curve> curves;
     std::vector<SnapshotCurve> drawn;
@@ -47,7 +49,9 @@ void trace_paths(const Scene &scene, State &state, std::vector<LightPath> paths,
         if (cancel)
             cancel->check();
         const auto &[receiver, source] = paths[i];
-        found[i] = trace_curves(scene, source, receiver, possible_blockers(scene, source, receiver));
+        const std::vector<SurfaceId> blockers = possible_blockers(scene, source, receiver);
+        if (blockers.size() <= most_blockers)
+            found[i] = trace_curves(scene, source, receiver, blockers);
     });
     std::vector<Curve> all;
     for (std::vector<Curve> &curves : found)
