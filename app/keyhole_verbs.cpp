@@ -69,8 +69,8 @@ void toggle_keyhole(AppState &state) {
     if (!state.keyhole.open || !snapshot)
         return;
     state.message = {"Drag the point over a surface: the inset shows what it sees of each light.", false};
-    if (state.under_cursor && role(snapshot->surfaces[static_cast<std::size_t>(state.under_cursor->surface)]) ==
-                                  SurfaceRole::reflector) {
+    if (state.under_cursor &&
+        role(snapshot->surfaces[static_cast<std::size_t>(state.under_cursor->surface)]) == SurfaceRole::reflector) {
         move_keyhole(state, state.under_cursor->surface, state.under_cursor->point);
     } else if (!state.keyhole.seen || state.keyhole.scene != state.scene) {
         const auto largest = std::ranges::max_element(snapshot->surfaces, {}, area_of);

@@ -31,7 +31,7 @@ namespace {
 
 struct RenderOptions {
     std::vector<Strategy> panes; ///< side by side, labelled; empty: the one of --strategy
-    std::optional<int> steps; ///< none: to the fixed point
+    std::optional<int> steps;    ///< none: to the fixed point
     LookOptions look;
 };
 
@@ -58,8 +58,9 @@ std::shared_ptr<const Keyhole> look_from(const std::shared_ptr<const Scene> &sce
     const KeyholeEye eye(scene);
     const SurfaceId surface = eye.surface_at(point, 1e-3);
     if (!surface.valid())
-        throw BadInput("--keyhole: no surface that reflects lies within a thousandth of the scene's size of this point; "
-                       "give a point of a floor, a wall, a table");
+        throw BadInput(
+            "--keyhole: no surface that reflects lies within a thousandth of the scene's size of this point; "
+            "give a point of a floor, a wall, a table");
     return std::make_shared<const Keyhole>(eye.look(surface, point));
 }
 
@@ -82,15 +83,18 @@ void set_panes(RenderOptions &options, const std::string &text) {
 std::string price(const Snapshot &one, const Snapshot &other, double tracing) {
     if (!(one.error >= 0) || !(other.error >= 0) || !(one.counters.seconds > 0))
         return {};
-    const auto time = [](double s) { return s < 0.0995 ? fmt::format("{:.2g} ms", 1e3 * s) : fmt::format("{:.2g} s", s); };
+    const auto time = [](double s) {
+        return s < 0.0995 ? fmt::format("{:.2g} ms", 1e3 * s) : fmt::format("{:.2g} s", s);
+    };
     const auto part = [&](const Snapshot &s) {
         return fmt::format("{} has an error of {:.2g} % with {} coefficients after {}", tag_of(s.options.strategy),
                            100 * s.error, s.counters.coefficients, time(s.counters.seconds));
     };
     const double ratio = other.counters.seconds / one.counters.seconds;
     const Snapshot &slower = ratio < 1 ? one : other;
-    return fmt::format("{}, {}. So {} takes {:.2g} times as long, and {} more to find {} curves.", part(one), part(other),
-                       tag_of(slower.options.strategy), std::max(ratio, 1 / ratio), time(tracing), one.curves->size());
+    return fmt::format("{}, {}. So {} takes {:.2g} times as long, and {} more to find {} curves.", part(one),
+                       part(other), tag_of(slower.options.strategy), std::max(ratio, 1 / ratio), time(tracing),
+                       one.curves->size());
 }
 
 int run(const SolvingOptions &solving, const RenderOptions &options, const CommonOptions &common) {

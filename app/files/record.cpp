@@ -45,6 +45,7 @@ Json final_state(const Snapshot *solution) {
                  {"rays", c.total_work.rays},
                  {"snapped_cuts", c.total_work.snapped_cuts},
                  {"left_out_curves", c.total_work.left_out_curves},
+                 {"untraced_pairs", c.untraced_pairs},
                  {"seconds", c.seconds},
                  {"peak_memory_mib", peak_memory_mib()},
                  {"error", solution && solution->error >= 0 ? Json(solution->error) : Json()},

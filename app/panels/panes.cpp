@@ -179,8 +179,9 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::SetNextWindowPos({arrangement.panes.x, arrangement.panes.y});
     ImGui::SetNextWindowSize({arrangement.panes.width, arrangement.panes.height});
-    ImGui::Begin("panes", nullptr, panel_flags() | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                                       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
+    ImGui::Begin("panes", nullptr,
+                 panel_flags() | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     state.under_cursor.reset();
     state.hovered_curve.reset();
     ImDrawList &list = *ImGui::GetWindowDrawList();

@@ -57,21 +57,25 @@ std::string sentence(const Snapshot &snapshot, const SnapshotCurve &curve) {
     const std::string of_corner = corner ? owner(snapshot, *corner) : "", of_edge = edge ? owner(snapshot, *edge) : "";
     switch (kind) {
     case CurveKind::ve:
-        return corner && edge ? "Crossing this line, a corner of " + of_corner + " goes behind an edge of " + of_edge + "."
-                              : "Crossing this line, a corner goes behind an edge of " + blockers(snapshot, curve) + ".";
+        return corner && edge
+                   ? "Crossing this line, a corner of " + of_corner + " goes behind an edge of " + of_edge + "."
+                   : "Crossing this line, a corner goes behind an edge of " + blockers(snapshot, curve) + ".";
     case CurveKind::ev:
-        return corner && edge ? "Crossing this line, a corner of " + of_corner + " comes before an edge of " + of_edge + "."
-                              : "Crossing this line, a corner of " + blockers(snapshot, curve) + " comes before an edge.";
+        return corner && edge
+                   ? "Crossing this line, a corner of " + of_corner + " comes before an edge of " + of_edge + "."
+                   : "Crossing this line, a corner of " + blockers(snapshot, curve) + " comes before an edge.";
     case CurveKind::eee: {
-        const std::string of = curve.touched.empty() ? surface_name(snapshot, curve.source) + " and " + blockers(snapshot, curve)
-                                                     : owners(snapshot, curve);
+        const std::string of = curve.touched.empty()
+                                   ? surface_name(snapshot, curve.source) + " and " + blockers(snapshot, curve)
+                                   : owners(snapshot, curve);
         return "From this line three edges, of " + of + ", seem to meet in one point.";
     }
     case CurveKind::plane:
         return "From this line " + surface_name(snapshot, critical_surface(snapshot, curve, 2).edge_on) +
                " is seen exactly edge-on.";
     case CurveKind::contact:
-        return "Along this line " + blockers(snapshot, curve) + " touches " + surface_name(snapshot, curve.receiver) + ".";
+        return "Along this line " + blockers(snapshot, curve) + " touches " + surface_name(snapshot, curve.receiver) +
+               ".";
     }
     return {};
 }
@@ -95,8 +99,9 @@ std::string happened(const Snapshot &snapshot, const SnapshotCurve &curve, const
     const auto kind = static_cast<CurveKind>(curve.kind);
     if ((kind == CurveKind::ve || kind == CurveKind::ev) && corner && edge && edge->surface >= 0) {
         const bool in = within(snapshot, *corner, *edge, here);
-        const char *const did = kind == CurveKind::ve ? (in ? " went behind an edge of " : " came out from behind an edge of ")
-                                                      : (in ? " moved in before an edge of " : " moved out across an edge of ");
+        const char *const did = kind == CurveKind::ve
+                                    ? (in ? " went behind an edge of " : " came out from behind an edge of ")
+                                    : (in ? " moved in before an edge of " : " moved out across an edge of ");
         return "A corner of " + owner(snapshot, *corner) + did + owner(snapshot, *edge);
     }
     if (kind == CurveKind::eee) {

@@ -12,18 +12,18 @@ namespace {
 
 constexpr ImU32 night = IM_COL32(13, 15, 19, 255), silhouette = IM_COL32(58, 63, 73, 255),
                 silhouette_edge = IM_COL32(128, 136, 150, 255), hidden_edge = IM_COL32(240, 175, 70, 150),
-                lit = IM_COL32(255, 243, 208, 255),
-                dot = IM_COL32(0, 114, 178, 255), dot_rim = IM_COL32(255, 255, 255, 255);
+                lit = IM_COL32(255, 243, 208, 255), dot = IM_COL32(0, 114, 178, 255),
+                dot_rim = IM_COL32(255, 255, 255, 255);
 
 ImU32 ink(Theme theme, int opacity = 255) {
     return theme == Theme::dark ? IM_COL32(237, 240, 245, opacity) : IM_COL32(18, 20, 26, opacity);
 }
 
 struct Grid {
-    std::size_t n = 0;     ///< pictures
+    std::size_t n = 0; ///< pictures
     int columns = 1, rows = 1;
-    float side = 0;        ///< of a picture
-    float caption = 0;     ///< height
+    float side = 0;    ///< of a picture
+    float caption = 0; ///< height
     float head = 0, foot = 0, pad = 0;
 };
 
@@ -38,7 +38,8 @@ std::string others(const Keyhole &keyhole, std::size_t n_pictures) {
     const std::size_t visible = std::max(n_pictures, n_visible(keyhole)), hidden = keyhole.emitters.size() - visible;
     std::string text = visible > n_pictures ? "and " + std::to_string(visible - n_pictures) + " more, less bright" : "";
     if (hidden > 0)
-        text += (text.empty() ? "and " : ", and ") + std::to_string(hidden) + (hidden == 1 ? " hidden one" : " hidden ones");
+        text += (text.empty() ? "and " : ", and ") + std::to_string(hidden) +
+                (hidden == 1 ? " hidden one" : " hidden ones");
     return text;
 }
 
@@ -142,14 +143,16 @@ std::string share_words(double share) {
     if (share >= 1)
         return "all visible";
     const double percent = 100 * share;
-    return number(percent < 0.995 || percent > 99.05 ? "%.2g" : "%.3g", percent > 99.94 ? 99.9 : percent) + " % visible";
+    return number(percent < 0.995 || percent > 99.05 ? "%.2g" : "%.3g", percent > 99.94 ? 99.9 : percent) +
+           " % visible";
 }
 
 std::string irradiance_words(const Rgb &irradiance) {
     const bool small = irradiance.maxCoeff() > 0 && irradiance.maxCoeff() < 0.0095;
     const Rgb e = small ? Rgb(1e3 * irradiance) : irradiance;
     const std::string red = number("%.3g", e[0]), green = number("%.3g", e[1]), blue = number("%.3g", e[2]);
-    return (red == green && green == blue ? red : red + " " + green + " " + blue) + (small ? " mW/m\u00b2" : " W/m\u00b2");
+    return (red == green && green == blue ? red : red + " " + green + " " + blue) +
+           (small ? " mW/m\u00b2" : " W/m\u00b2");
 }
 
 } // namespace
@@ -182,7 +185,8 @@ void draw_keyhole_inset(ImDrawList &list, const Fonts &fonts, ImVec2 corner, con
         const std::string first = surface_name(snapshot, emitter.whole.surface) + ": " + share_words(emitter.share);
         write(list, fonts, {at.x, at.y + g.side + 0.2f * em}, g.side, ink(theme), first);
         write(list, fonts, {at.x, at.y + g.side + 1.4f * em}, g.side, ink(theme, 190),
-              (emitter.irradiance.isConstant(emitter.irradiance[0]) ? "irradiance " : "") + irradiance_words(emitter.irradiance));
+              (emitter.irradiance.isConstant(emitter.irradiance[0]) ? "irradiance " : "") +
+                  irradiance_words(emitter.irradiance));
     }
     if (g.foot > 0)
         list.AddText(fonts.text, em, {corner.x + g.pad, corner.y + size.y - 1.4f * em}, ink(theme, 190),
@@ -196,7 +200,8 @@ void draw_keyhole_point(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2
         const auto at = place_in_frame(camera, static_cast<double>(width / height), {p.x(), p.y(), p.z()});
         if (!at)
             return std::nullopt;
-        return ImVec2(low.x + width * static_cast<float>(0.5 + 0.5 * at->x), low.y + height * static_cast<float>(0.5 - 0.5 * at->y));
+        return ImVec2(low.x + width * static_cast<float>(0.5 + 0.5 * at->x),
+                      low.y + height * static_cast<float>(0.5 - 0.5 * at->y));
     };
     const auto here = on_screen(keyhole.point);
     if (!here)

@@ -13,8 +13,8 @@ inline constexpr std::size_t most_keyhole_pictures = 4;
 
 /// The size of the inset [pixels].
 ImVec2 keyhole_inset_size(const Fonts &fonts, const Keyhole &keyhole);
-/// With its upper left corner at `corner`: a heading, and for each emitter, the brightest first, its picture with its name,
-/// the share that is visible, and the irradiance from it.
+/// With its upper left corner at `corner`: a heading, and for each emitter, the brightest first, its picture with its
+/// name, the share that is visible, and the irradiance from it.
 void draw_keyhole_inset(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const Keyhole &keyhole,
                         const Snapshot &snapshot, Theme theme);
 

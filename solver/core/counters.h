@@ -35,6 +35,7 @@ struct Counters {
     std::int64_t coefficients = 0; ///< basis functions on these leaves (one set serves the three channels)
     std::int64_t links = 0;
     int curves = 0;           ///< known so far: of emitters, and of reflectors whose light needed them
+    int untraced_pairs = 0;   ///< reflectors and receivers whose curves were wanted, but too much stands between the two
     int nodes_at_limit = 0;   ///< nodes that failed the oracle at the depth limit and were kept
     int splits = 0;           ///< nodes split in this iteration
     int cuts = 0;             ///< of these, cut: along a curve, or in the best straight line

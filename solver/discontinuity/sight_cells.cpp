@@ -147,6 +147,7 @@ private:
     }
 
     void divide(const Polygon &outline, const Contents &from, int halvings) {
+        out_.check_cancel();
         std::vector<Vec3> cell;
         for (const Vec2 &p : outline)
             cell.push_back(receiver_.frame.to_space(p));
@@ -260,7 +261,8 @@ private:
     std::vector<SightCells::Key> corners_and_edges_, edges_in_plane_, triples_, planes_;
 };
 
-SightCells::SightCells(const Scene &scene, const SourceView &view) : plane_(view.receiver_plane) {
+SightCells::SightCells(const Scene &scene, const SourceView &view, const Cancel *cancel)
+    : plane_(view.receiver_plane), cancel_(cancel) {
     CellDivision(scene, view, *this).run();
 }
 

@@ -1,6 +1,7 @@
 // A receiver in cells small enough that little of what lies between it and a source can be seen one behind the other.
 #pragma once
 
+#include "core/cancel.h"
 #include "discontinuity/source_view.h"
 #include "scene/scene.h"
 
@@ -32,7 +33,8 @@ struct Encounter {
 /// can be seen from anywhere in the cell. Both are conservative: an encounter left out has no line of sight.
 class SightCells {
 public:
-    SightCells(const Scene &scene, const SourceView &view);
+    /// Looks at the flag as it divides, and with every walk through its encounters.
+    SightCells(const Scene &scene, const SourceView &view, const Cancel *cancel = nullptr);
 
     const SightCell &operator[](std::size_t i) const { return cells_[i]; }
     std::span<const Encounter> corners_and_edges() const { return corners_and_edges_; }
@@ -40,6 +42,10 @@ public:
     std::span<const Encounter> triples() const { return triples_; }
     std::span<const Encounter> planes() const { return planes_; } ///< of facets
 
+    void check_cancel() const {
+        if (cancel_)
+            cancel_->check();
+    }
     /// Facets that reach into the shaft from any of the encounter's cells, ascending.
     std::vector<std::size_t> facets(const Encounter &encounter) const;
     /// The cell that holds the point; none where the source is hidden or the point lies outside.
@@ -58,6 +64,7 @@ private:
     static std::vector<Encounter> gathered(std::vector<Key> keys);
 
     PlaneFrame plane_;
+    const Cancel *cancel_;
     std::vector<SightCell> cells_;
     std::vector<Encounter> corners_and_edges_, edges_in_plane_, triples_, planes_;
 };

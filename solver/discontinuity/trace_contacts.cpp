@@ -88,6 +88,7 @@ void trace_contacts(const Scene &scene, const SourceView &view, const SightCells
     for (const Contact &contact : contacts)
         others.push_back({CurveKind::contact, 0, view.source, view.receiver, {}, contact.from, contact.to});
     for (const Contact &contact : contacts) {
+        cells.check_cancel();
         const double length = (contact.to - contact.from).norm();
         if (length < shortest_curve)
             continue;

@@ -171,6 +171,7 @@ void trace_wedge(const Scene &scene, const SourceView &view, const SightCells &c
 
 void trace_corners(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves) {
     for (const Encounter &encounter : cells.corners_and_edges()) {
+        cells.check_cancel();
         const SightCorner &corner = view.corners[encounter.touched[0]];
         const SightEdge &edge = view.edges[encounter.touched[1]];
         if (in_plane(view.source_plane, corner.at) && in_plane(view.source_plane, edge.a) &&

@@ -82,11 +82,11 @@ private:
 } // namespace
 
 std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId receiver,
-                                std::span<const SurfaceId> blockers) {
+                                std::span<const SurfaceId> blockers, const Cancel *cancel) {
     const SourceView view = source_view(scene, source, receiver, blockers);
     if (view.empty())
         return {};
-    const SightCells cells(scene, view);
+    const SightCells cells(scene, view, cancel);
     std::vector<Curve> curves;
     trace_corners(scene, view, cells, curves);
     trace_edges(scene, view, cells, curves);
@@ -116,7 +116,7 @@ std::vector<Curve> trace_emitter_curves(const Scene &scene, const Cancel *cancel
         const auto [source, receiver] = pairs[i];
         if (!face_each_other(scene.surface(source), scene.surface(receiver)) || hidden_pairs.hidden(source, receiver))
             return;
-        found[i] = trace_curves(scene, source, receiver, possible_blockers(boxes, source, receiver));
+        found[i] = trace_curves(scene, source, receiver, possible_blockers(boxes, source, receiver), cancel);
     });
     std::vector<Curve> all;
     for (std::vector<Curve> &curves : found)

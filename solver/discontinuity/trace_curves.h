@@ -13,10 +13,11 @@ namespace penumbra {
 /// Curves that light from `source`, past `blockers`, throws on `receiver` (Heckbert 1992; Lischinski, Tampieri &
 /// Greenberg 1992; Drettakis & Fiume 1994): VE, EV, EEE, plane and contact, each only where it is real, those that coincide
 /// merged (merge_curves.h). `blockers` is a superset of the surfaces that may stand between the two; they block from
-/// both sides. Not here yet: edges in one plane of whose overlap neither end is seen.
+/// both sides.
 /// tests/discontinuity checks them, both ways, against changes of the visible part found with no critical surface.
+/// Throws Cancelled when `cancel` is raised.
 std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId receiver,
-                                std::span<const SurfaceId> blockers);
+                                std::span<const SurfaceId> blockers, const Cancel *cancel = nullptr);
 
 /// Curves of all emitters on all receivers that reflect, by receiver, then by source. Runs in parallel; the result does
 /// not depend on the number of threads. Throws Cancelled when `cancel` is raised.

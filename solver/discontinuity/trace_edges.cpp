@@ -168,6 +168,7 @@ private:
 
 void trace_edges(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves) {
     for (const Encounter &encounter : cells.edges_in_plane()) {
+        cells.check_cancel();
         const SightEdge &e = view.edges[encounter.touched[0]], &f = view.edges[encounter.touched[1]];
         const auto plane = plane_through(e, f, view.receiver_plane);
         if (!plane)

@@ -54,8 +54,10 @@ void trace_blocker_plane(const Scene &scene, const SourceView &view, const Sight
 
 void trace_planes(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves) {
     trace_source_plane(scene, view, curves);
-    for (const Encounter &encounter : cells.planes())
+    for (const Encounter &encounter : cells.planes()) {
+        cells.check_cancel();
         trace_blocker_plane(scene, view, cells, encounter, curves);
+    }
 }
 
 } // namespace penumbra

@@ -204,6 +204,7 @@ private:
 
 void trace_triples(const Scene &scene, const SourceView &view, const SightCells &cells, std::vector<Curve> &curves) {
     for (const Encounter &encounter : cells.triples()) {
+        cells.check_cancel();
         const Triple edges{&view.edges[encounter.touched[0]], &view.edges[encounter.touched[1]],
                            &view.edges[encounter.touched[2]]};
         const auto regulus = Regulus::make(edges, view.receiver_plane);

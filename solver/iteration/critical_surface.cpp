@@ -21,8 +21,9 @@ bool on_outline(const Surface &surface, const TouchedEdge &edge) {
     const std::size_t n = surface.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 &a = surface.corners[i], &b = surface.corners[(i + 1) % n];
-        if (edge.is_corner() ? (a - edge.a).norm() < same_place
-                             : distance_to_line(a, b, edge.a) < same_place && distance_to_line(a, b, edge.b) < same_place)
+        if (edge.is_corner()
+                ? (a - edge.a).norm() < same_place
+                : distance_to_line(a, b, edge.a) < same_place && distance_to_line(a, b, edge.b) < same_place)
             return true;
     }
     return false;
@@ -106,7 +107,8 @@ std::optional<Vec3> direction(const SnapshotCurve &curve, const Vec3 &x) {
             return (one.a - x).normalized();
         for (std::size_t j = 0; j < i; ++j) {
             const SnapshotEdge &other = curve.touched[j];
-            const Vec3 along = (one.a - x).cross(one.b - x).normalized().cross((other.a - x).cross(other.b - x).normalized());
+            const Vec3 along =
+                (one.a - x).cross(one.b - x).normalized().cross((other.a - x).cross(other.b - x).normalized());
             if (along.norm() > best.norm())
                 best = along;
         }
@@ -210,7 +212,8 @@ std::vector<SnapshotEdge> touched_edges(const Scene &scene, const Curve &curve) 
         auto owner = std::ranges::find_if(owners, [&](SurfaceId s) { return on_outline(scene.surface(s), edge); });
         if (owner == owners.end())
             owner = std::ranges::find_if(owners, [&](SurfaceId s) { return in_plane(scene.surface(s), edge); });
-        edges.push_back({scene.own.to_own(edge.a), scene.own.to_own(edge.b), owner == owners.end() ? -1 : owner->index});
+        edges.push_back(
+            {scene.own.to_own(edge.a), scene.own.to_own(edge.b), owner == owners.end() ? -1 : owner->index});
     }
     return edges;
 }

@@ -11,6 +11,8 @@ namespace penumbra {
 
 namespace {
 
+constexpr std::size_t most_blockers = 60; // between a reflector and a receiver; more are counted as untraced
+
 void add(const Scene &scene, State &state, std::vector<Curve> found) {
     std::vector<Curve> curves;
     std::vector<SnapshotCurve> drawn;
@@ -43,16 +45,22 @@ void trace_paths(const Scene &scene, State &state, std::vector<LightPath> paths,
     if (paths.empty())
         return;
     std::vector<std::vector<Curve>> found(paths.size());
+    std::vector<char> too_many(paths.size(), 0);
     parallel_for(paths.size(), [&](std::size_t i) {
         if (cancel)
             cancel->check();
         const auto &[receiver, source] = paths[i];
-        found[i] = trace_curves(scene, source, receiver, possible_blockers(scene, source, receiver));
+        const std::vector<SurfaceId> blockers = possible_blockers(scene, source, receiver);
+        if (blockers.size() <= most_blockers)
+            found[i] = trace_curves(scene, source, receiver, blockers, cancel);
+        else
+            too_many[i] = 1;
     });
     std::vector<Curve> all;
     for (std::vector<Curve> &curves : found)
         std::ranges::move(curves, std::back_inserter(all));
     add(scene, state, std::move(all));
+    state.n_untraced += static_cast<int>(std::ranges::count(too_many, 1));
     for (const LightPath &p : paths)
         state.traced[p.receiver.at()][p.source.at()] = 1;
 }

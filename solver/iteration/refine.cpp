@@ -286,6 +286,7 @@ private:
         Counters &c = state_.counters;
         c.patches = c.nodes_at_limit = 0;
         c.curves = static_cast<int>(state_.curves->curves().size());
+        c.untraced_pairs = state_.n_untraced;
         c.coefficients = c.links = 0;
         for (std::size_t e = 0; e < state_.forest.elements.size(); ++e) {
             const Element &element = state_.forest.elements[e];

@@ -33,6 +33,7 @@ struct State {
     std::shared_ptr<const CurveIndex> curves;
     std::shared_ptr<const std::vector<SnapshotCurve>> drawn_curves; ///< the same ones
     std::vector<std::vector<char>> traced; ///< [receiver surface][source surface]: their curves are there
+    int n_untraced = 0; ///< pairs of these that got none, too much standing between them
     Coefficients irradiance;               ///< as gathered, at each level
     Coefficients radiosity;                ///< at each level, the upper ones pulled from the leaves
     double peak = 0;                       ///< largest reflected radiosity B - E, largest channel [W/m2]

@@ -53,8 +53,10 @@ TEST_P(CriticalSurfaces, LinesOfSightTouchWhatTheirEventNames) {
             continue;
         if (!surface.sheet.empty()) { // edges in one plane with the curve
             for (const Vec3 &p : surface.sheet)
-                EXPECT_LT(std::abs((p - surface.sheet[0]).dot(
-                              (surface.sheet[1] - surface.sheet[0]).cross(surface.sheet[2] - surface.sheet[0]).normalized())),
+                EXPECT_LT(std::abs((p - surface.sheet[0])
+                                       .dot((surface.sheet[1] - surface.sheet[0])
+                                                .cross(surface.sheet[2] - surface.sheet[0])
+                                                .normalized())),
                           slack);
             continue;
         }

@@ -53,7 +53,8 @@ void picks(benchmark::State &state, const char *name) {
     const Camera camera = first_view(*scene, *snapshot, 1.6);
     int i = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(pick_curve(*snapshot, camera, 1.6, -0.8 + 0.1 * (i % 17), -0.8 + 0.1 * (i / 17 % 17), 700, 6));
+        benchmark::DoNotOptimize(
+            pick_curve(*snapshot, camera, 1.6, -0.8 + 0.1 * (i % 17), -0.8 + 0.1 * (i / 17 % 17), 700, 6));
         ++i;
     }
     state.counters["curves"] = static_cast<double>(snapshot->curves->size());
@@ -62,12 +63,15 @@ void picks(benchmark::State &state, const char *name) {
 const bool registered = [] {
     for (const char *scene : {"skew-blockers", "cornell-box", "venetian-blinds", "office"}) {
         const std::string of = "/" + std::string(scene);
-        benchmark::RegisterBenchmark(("keyhole/look" + of).c_str(), [=](benchmark::State &s) { looks(s, scene); })
-            ->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(("keyhole/open" + of).c_str(), [=](benchmark::State &s) { opens(s, scene); })
-            ->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(("pick_curve" + of).c_str(), [=](benchmark::State &s) { picks(s, scene); })
-            ->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("keyhole/look" + of).c_str(), [=](benchmark::State &s) {
+            looks(s, scene);
+        })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("keyhole/open" + of).c_str(), [=](benchmark::State &s) {
+            opens(s, scene);
+        })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("pick_curve" + of).c_str(), [=](benchmark::State &s) {
+            picks(s, scene);
+        })->Unit(benchmark::kMillisecond);
     }
     return true;
 }();

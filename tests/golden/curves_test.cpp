@@ -25,7 +25,8 @@ protected:
     /// The curve found so many pixels to the right of a point's place.
     int found(const Snapshot &s, const Vec3 &p, double pixels, const CurveFilter &filter = {}) const {
         const auto at = place_in_frame(camera, aspect, {p.x(), p.y(), p.z()});
-        const auto pick = pick_curve(s, camera, aspect, at->x + 2 * pixels / (height * aspect), at->y, height, 6, filter);
+        const auto pick =
+            pick_curve(s, camera, aspect, at->x + 2 * pixels / (height * aspect), at->y, height, 6, filter);
         return pick ? pick->curve : -1;
     }
 };

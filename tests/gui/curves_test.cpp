@@ -26,7 +26,8 @@ protected:
         const auto vector = [](const Json &v) {
             return glm::dvec3(v[0].get<double>(), v[1].get<double>(), v[2].get<double>());
         };
-        const Camera c{vector(camera["eye"]), vector(camera["target"]), vector(camera["up"]), camera["fov"].get<double>()};
+        const Camera c{vector(camera["eye"]), vector(camera["target"]), vector(camera["up"]),
+                       camera["fov"].get<double>()};
         const auto at = place_in_frame(c, static_cast<double>(pane.width) / pane.height, {p.x(), p.y(), p.z()});
         return {pane.x + (0.5 + 0.5 * at->x) * pane.width, pane.y + (0.5 - 0.5 * at->y) * pane.height};
     }
@@ -59,9 +60,8 @@ protected:
     }
     void move_away() {
         session.move({pane.x + 5.0, pane.y + 300.0});
-        session.wait_until("nothing under the mouse", [](const Json &s) {
-            return s["hovered_curve"].is_null() && s["under_cursor"].is_null();
-        });
+        session.wait_until("nothing under the mouse",
+                           [](const Json &s) { return s["hovered_curve"].is_null() && s["under_cursor"].is_null(); });
     }
     void rest_on(int curve) {
         session.move(on_screen(middle((*snapshot->curves)[static_cast<std::size_t>(curve)])));
@@ -129,7 +129,8 @@ TEST_F(CurvesTest, FiltersHideCurvesFromTheEyeAndFromTheMouse) {
     EXPECT_GT(changed_share(all, session.shot(), pane), some);
     session.click("curve order 2");
     session.click("kind VE");
-    session.wait_until("all", [](const Json &s) { return s["curves"]["orders"].size() == 3 && s["curves"]["kinds"].size() == 5; });
+    session.wait_until(
+        "all", [](const Json &s) { return s["curves"]["orders"].size() == 3 && s["curves"]["kinds"].size() == 5; });
     move_away();
     EXPECT_EQ(changed_share(all, session.shot(), pane), 0);
 }
@@ -140,13 +141,13 @@ TEST_F(CurvesTest, TheKeyholeFollowsTheDragAndTellsOfCrossings) {
     const double reach = std::min(0.12, 0.6 * room(static_cast<std::size_t>(curve)));
     const Vec3 across = reach * Vec3::UnitZ().cross(c.points[1] - c.points[0]).normalized();
     session.click("view.keyhole");
-    session.wait_until("the keyhole", [](const Json &s) {
-        return s["looking"]["open"] == true && s["widgets"].contains("keyhole");
-    });
+    session.wait_until("the keyhole",
+                       [](const Json &s) { return s["looking"]["open"] == true && s["widgets"].contains("keyhole"); });
     const Json before = session.state();
     EXPECT_TRUE(before["keyhole"].is_array());
     session.drag(on_screen(middle(c) - across), on_screen(middle(c) + across));
-    const Json after = session.wait_until("a crossing", [&](const Json &s) { return s["looking"]["crossed"] == curve; });
+    const Json after =
+        session.wait_until("a crossing", [&](const Json &s) { return s["looking"]["crossed"] == curve; });
     EXPECT_EQ(after["camera"], before["camera"]) << "the drag moves the point, not the eye";
     EXPECT_EQ(after["looking"]["surface"], 0);
     const Vec3 wanted = middle(c) + across;
