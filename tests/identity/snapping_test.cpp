@@ -16,6 +16,7 @@ namespace {
 Element element_of(const std::array<Vec2, 4> &corners) {
     Element e;
     e.basis = ElementBasis(1, BilinearQuad{corners});
+    e.sides.assign(4, SideKind::outline);
     return e;
 }
 
@@ -34,8 +35,8 @@ std::vector<Element> cut_all(const std::vector<Element> &leaves, const HalfPlane
         if (!plan)
             next.push_back(leaf);
         else
-            for (const BilinearQuad &quad : plan->leaves())
-                next.push_back(element_of(quad.corners));
+            for (const ElementBasis &piece : plan->leaves())
+                next.push_back(element_of(piece.quad()->corners));
     }
     return next;
 }
@@ -63,8 +64,8 @@ TEST(Snapping, AnEndNearACornerIsMovedThere) {
         EXPECT_EQ(plan->n_snapped, 1) << off;
         EXPECT_EQ(plan->steps.size(), 1u);
         // The corner itself ends the cut: a triangle is parted, with its corners 0 and 1 in one place.
-        const auto is_triangle = [](const BilinearQuad &q) { return q.outline().size() == 3; };
-        EXPECT_EQ(std::ranges::count_if(plan->steps[0].quads, is_triangle), 1) << off;
+        const auto is_triangle = [](const ElementBasis &e) { return e.outline().size() == 3; };
+        EXPECT_EQ(std::ranges::count_if(plan->steps[0].children, is_triangle), 1) << off;
     }
     EXPECT_EQ(plan_cut(element_of(square), line_through({0, 0}, {0.4, 1}))->n_snapped, 0) << "met, not moved";
     EXPECT_EQ(plan_cut(element_of(square), line_through({1e-5, 0}, {0.4, 1}))->n_snapped, 0) << "far enough";
@@ -77,7 +78,7 @@ TEST(Snapping, ANearDiagonalIsTheDiagonal) {
         EXPECT_EQ(plan->n_snapped, 2) << off;
         const auto leaves = plan->leaves();
         ASSERT_EQ(leaves.size(), 2u) << "no extra step";
-        for (const BilinearQuad &leaf : leaves)
+        for (const ElementBasis &leaf : leaves)
             EXPECT_EQ(leaf.area(), 0.5);
     }
 }

@@ -16,7 +16,7 @@ double root_mean_square(const Scene &scene, const Forest &roots, const Value &va
         for (const ElementId root : roots.roots[s])
             for (int i = 0; i < n; ++i)
                 for (int j = 0; j < n; ++j) {
-                    const QuadraturePoint q = roots[root].basis.at_parameters((i + 0.5) / n, (j + 0.5) / n);
+                    const QuadraturePoint q = roots[root].basis.at_parameters(0, (i + 0.5) / n, (j + 0.5) / n);
                     if (is_covered(scene.surfaces[s], q.position))
                         continue;
                     squares += q.area * value(SurfaceId(s), q.position).square().sum();
