@@ -3,6 +3,7 @@
 #include "geometry/plane_frame.h"
 #include "geometry/simple.h"
 #include "scene/mend.h"
+#include "scene/validate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,8 +111,9 @@ bool take(Growth &growth, int a, int b, int c) {
     return true;
 }
 
-/// Grows from `seed` over neighbours. A partly grown disk of triangles can always be completed, in whatever order it
-/// was grown (two-dimensional disks are extendably shellable): those that touch elsewhere are tried again later.
+/// Grows from `seed` over neighbours. A triangle that would make the chain touch itself is tried again when a second of
+/// its sides becomes one of the chain's: a partly grown disk can always be completed so (two-dimensional disks are
+/// extendably shellable).
 Growth grow(const Mesh &mesh, int seed, std::vector<bool> &is_taken) {
     Growth growth;
     const auto [a0, b0, c0] = mesh.triangle(seed).corners;
@@ -120,32 +122,20 @@ Growth grow(const Mesh &mesh, int seed, std::vector<bool> &is_taken) {
     growth.join(c0, a0);
     growth.taken = {seed};
     std::deque<std::array<int, 2>> sides{{a0, b0}, {b0, c0}, {c0, a0}};
-    std::vector<std::array<int, 2>> later;
-    bool is_changed = true;
-    while (is_changed) {
-        is_changed = false;
-        for (; !sides.empty() && growth.next.size() < most_merged_corners; sides.pop_front()) {
-            const auto [a, b] = sides.front();
-            const int inside = mesh.owner_of(a, b), t = mesh.owner_of(b, a);
-            if (!growth.has_side(a, b) || inside < 0 || t < 0 || is_taken[static_cast<std::size_t>(t)] ||
-                mesh.triangle(t).material != mesh.triangle(seed).material)
-                continue;
-            const int c = apex(mesh.triangle(t), a, b);
-            if (!coplanar(mesh, a, b, apex(mesh.triangle(inside), a, b), c))
-                continue;
-            if (!take(growth, a, b, c)) {
-                later.push_back({a, b});
-                continue;
-            }
-            is_taken[static_cast<std::size_t>(t)] = true;
-            growth.taken.push_back(t);
-            is_changed = true;
-            for (const auto &[p, q] : {std::array{a, c}, std::array{c, b}})
-                if (growth.has_side(p, q))
-                    sides.push_back({p, q});
-        }
-        sides.assign(later.begin(), later.end());
-        later.clear();
+    for (; !sides.empty() && growth.next.size() < most_corners; sides.pop_front()) {
+        const auto [a, b] = sides.front();
+        const int inside = mesh.owner_of(a, b), t = mesh.owner_of(b, a);
+        if (!growth.has_side(a, b) || inside < 0 || t < 0 || is_taken[static_cast<std::size_t>(t)] ||
+            mesh.triangle(t).material != mesh.triangle(seed).material)
+            continue;
+        const int c = apex(mesh.triangle(t), a, b);
+        if (!coplanar(mesh, a, b, apex(mesh.triangle(inside), a, b), c) || !take(growth, a, b, c))
+            continue;
+        is_taken[static_cast<std::size_t>(t)] = true;
+        growth.taken.push_back(t);
+        for (const auto &side : {std::array{a, c}, std::array{c, b}})
+            if (growth.has_side(side[0], side[1]))
+                sides.push_back(side);
     }
     return growth;
 }

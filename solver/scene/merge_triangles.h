@@ -20,14 +20,11 @@ struct MergedFace {
     int first = 0; ///< its first triangle
 };
 
-/// Polygons stop growing at this many corners.
-inline constexpr int most_merged_corners = 1000;
-
 /// Merges triangles that share an edge and a material and lie in one plane, to within the rounding of single precision
-/// of the largest coordinate, into simple polygons, concave ones too; never into a polygon with a hole, or one that
-/// touches itself: what would close a ring starts a polygon of its own. A triangle without area, one whose edge is
-/// shared by more than two, and a polygon that would not be flat or simple stay as they are. Points must be distinct.
-/// In the order of each polygon's first triangle.
+/// of the largest coordinate, into simple polygons of at most about `most_corners` corners, concave ones too; never into
+/// a polygon with a hole, or one that touches itself: what would close a ring starts a polygon of its own. A triangle
+/// without area, one at an edge that more than two share, and those of a polygon that would not be flat or simple stay
+/// as they are. Points must be distinct. In the order of each polygon's first triangle.
 std::vector<MergedFace> merge_triangles(std::span<const Vec3> points, std::span<const MeshTriangle> triangles);
 
 } // namespace penumbra
