@@ -25,7 +25,7 @@ struct IndexedFace {
     std::vector<int> vertices;     ///< from 0; not yet compared with the number of vertices
 };
 
-/// Names in the order in which they first stood.
+/// Names that faces have, in the order in which they first stood.
 struct Names {
     std::vector<std::string> list;
     std::map<std::string, int, std::less<>> numbers;
@@ -44,7 +44,7 @@ struct ObjReader {
     std::vector<IndexedFace> faces;
     std::vector<std::pair<int, std::string>> libraries; ///< line and name
     Names names;
-    int object = names.number(""), material = object;
+    std::string object, material; ///< of the faces to come
     Skipped skipped;
     FaceCount count;
 
@@ -89,7 +89,7 @@ struct ObjReader {
         if (n < 3)
             line.fail("a face has " + std::to_string(n) + " corners; give at least three (is the file whole?)");
         count.add(line.file, n);
-        IndexedFace &face = faces.emplace_back(IndexedFace{line.number, object, material, {}});
+        IndexedFace &face = faces.emplace_back(IndexedFace{line.number, names.number(object), names.number(material), {}});
         for (std::size_t i = 1; i <= n; ++i)
             face.vertices.push_back(read_corner(line, line.words[i]));
     }
@@ -111,9 +111,9 @@ struct ObjReader {
             else if (keyword == "f" || keyword == "fo")
                 read_face(line);
             else if (keyword == "o" || keyword == "g")
-                object = names.number(line.name());
+                object = line.name();
             else if (keyword == "usemtl")
-                material = names.number(line.name());
+                material = line.name();
             else if (keyword == "mtllib")
                 read_library(line);
             else

@@ -370,6 +370,24 @@ TEST(BadGltf, ValuesThatMakeNoSense) {
                 HasSubstr("cameras[0].perspective.yfov is 4; give an angle"));
 }
 
+TEST(BadGltf, FilesThatCannotBeReadAreRefused) {
+    const fs::path folder = fs::temp_directory_path() / "penumbra-gltf-unreadable.gltf";
+    fs::create_directories(folder);
+    std::ofstream(folder / "empty.glb");
+    const auto says = [](const fs::path &file) {
+        try {
+            open_scene(file.string());
+        } catch (const BadInput &e) {
+            return std::string(e.what());
+        }
+        return std::string("was taken");
+    };
+    EXPECT_THAT(says(folder), HasSubstr("is a folder"));
+    EXPECT_THAT(says(folder / "empty.glb"), HasSubstr("not valid JSON"));
+    EXPECT_THAT(says(folder / "gone.glb"), HasSubstr("there is no such file"));
+    fs::remove_all(folder);
+}
+
 TEST(BadGltf, TooManyFaces) {
     // A mesh of 6 faces in 40 000 places.
     EXPECT_THAT(SPOIL(for (int i = 0; i < 40'000; ++i) d.node("n", 1)), HasSubstr("more than 200000 faces; simplify"));
