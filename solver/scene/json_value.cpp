@@ -10,27 +10,69 @@ namespace penumbra {
 
 using nlohmann::json;
 
+namespace {
+
+/// Walks the text without keeping anything, and throws at the first byte that is wrong or one too many. (The library's
+/// parser with a callback would do both in one pass, but takes quadratic time for a list of many objects.)
+class Bounds : public nlohmann::json_sax<json> {
+public:
+    Bounds(const std::string &file, std::size_t n_bytes, const JsonLimits &limits)
+        : file_(file), n_bytes_(n_bytes), limits_(limits) {}
+
+    bool null() override { return count(); }
+    bool boolean(bool) override { return count(); }
+    bool number_integer(number_integer_t) override { return count(); }
+    bool number_unsigned(number_unsigned_t) override { return count(); }
+    bool number_float(number_float_t, const string_t &) override { return count(); }
+    bool string(string_t &) override { return count(); }
+    bool binary(binary_t &) override { return count(); }
+    bool key(string_t &) override { return count(); }
+    bool start_object(std::size_t) override { return enter(); }
+    bool start_array(std::size_t) override { return enter(); }
+    bool end_object() override { return leave(); }
+    bool end_array() override { return leave(); }
+    // The library's own messages quote the text, which may be long and of several lines.
+    bool parse_error(std::size_t byte, const std::string &, const nlohmann::detail::exception &e) override {
+        constexpr int number_out_of_range = 406;
+        if (e.id == number_out_of_range)
+            throw BadInput(fmt::format("{}: its JSON has a number beyond double precision at byte {}; give finite numbers",
+                                       file_, byte));
+        throw BadInput(fmt::format("{}: is not valid JSON at byte {} of {}; export it again (is it whole?)", file_, byte,
+                                   n_bytes_));
+    }
+
+private:
+    bool count() {
+        if (++n_values_ > limits_.values)
+            throw BadInput(fmt::format("{}: its JSON has more than {} values; simplify it", file_, limits_.values));
+        return true;
+    }
+    bool enter() {
+        if (++depth_ > limits_.depth)
+            throw BadInput(fmt::format("{}: its JSON is nested deeper than {} levels; flatten it", file_, limits_.depth));
+        return count();
+    }
+    bool leave() {
+        --depth_;
+        return true;
+    }
+
+    const std::string &file_;
+    std::size_t n_bytes_;
+    const JsonLimits &limits_;
+    std::size_t n_values_ = 0;
+    int depth_ = 0;
+};
+
+} // namespace
+
 json parse_json(const std::string &file, std::string_view text, const JsonLimits &limits) {
     if (text.size() > limits.bytes)
         throw BadInput(fmt::format("{}: its JSON is longer than the limit of {} MiB; keep the numbers in a binary buffer",
                                    file, limits.bytes >> 20));
-    std::size_t n_values = 0;
-    const auto bounded = [&](int depth, json::parse_event_t, json &) {
-        if (depth > limits.depth)
-            throw BadInput(fmt::format("{}: its JSON is nested deeper than {} levels; flatten it", file, limits.depth));
-        if (++n_values > limits.values)
-            throw BadInput(fmt::format("{}: its JSON has more than {} values; simplify it", file, limits.values));
-        return true;
-    };
-    // The library's own messages quote the text, which may be long and of several lines.
-    try {
-        return json::parse(text.begin(), text.end(), bounded);
-    } catch (const json::parse_error &e) {
-        throw BadInput(fmt::format("{}: is not valid JSON at byte {} of {}; export it again (is it whole?)", file, e.byte,
-                                   text.size()));
-    } catch (const json::exception &) {
-        throw BadInput(file + ": its JSON has a number beyond double precision; give finite numbers");
-    }
+    Bounds bounds(file, text.size(), limits);
+    json::sax_parse(text.begin(), text.end(), &bounds);
+    return json::parse(text.begin(), text.end());
 }
 
 void JsonValue::fail(const std::string &what) const {

@@ -13,7 +13,7 @@ namespace penumbra {
 struct JsonLimits {
     std::size_t bytes = std::size_t{64} << 20;
     int depth = 64;
-    std::size_t values = 2'000'000; ///< members and keys together
+    std::size_t values = 1'000'000; ///< members and keys together
 };
 
 /// Parses `text`. Throws BadInput, one line with the byte, for what is no JSON or exceeds a limit.

@@ -275,9 +275,13 @@ TEST(BadGltf, DeepOrEndlessJson) {
         nested += "{\"a\":";
     EXPECT_THAT(refusal(asset + nested), HasSubstr("nested deeper than 64"));
     std::string many = asset + "[0";
-    for (int i = 0; i < 2'000'000; ++i)
+    for (int i = 0; i < 1'000'000; ++i)
         many += ",0";
-    EXPECT_THAT(refusal(many + "]}"), HasSubstr("more than 2000000 values"));
+    EXPECT_THAT(refusal(many + "]}"), HasSubstr("more than 1000000 values"));
+    std::string objects = asset + "[{}"; // within the limit, and read in time
+    for (int i = 0; i < 500'000; ++i)
+        objects += ",{}";
+    EXPECT_THAT(refusal(objects + "]}"), HasSubstr("has no surface"));
 }
 
 TEST(BadGltf, CutOffBinary) {
