@@ -35,8 +35,8 @@ std::vector<std::string_view> words_of(std::string_view line);
 /// For messages: in quotes, one line, at most 40 characters, control characters as `?`.
 std::string in_quotes(std::string_view text);
 
-/// The whole of `word` as a number, correctly rounded; false when it is none (a finite one or not: `inf`, `nan` and what
-/// overflows come back as infinities or nan).
+/// The whole of `word` as a number, correctly rounded; false when it is none (a finite one or not: `inf`, `nan` and
+/// what overflows come back as infinities or nan).
 bool number_from(std::string_view word, double &value);
 
 } // namespace penumbra

@@ -106,9 +106,10 @@ std::vector<std::pair<std::size_t, std::size_t>> coplanar_pairs(const Scene &sce
             if (!a.meets(b) || s.face == t.face || !coplanar(s, t))
                 continue;
             if ((n_parts += s.parts.size() * t.parts.size()) > most_coplanar_pairs)
-                throw BadInput(fmt::format("{}: too many faces lie on each other in one plane (more than {} pairs of convex "
-                                           "parts); remove the duplicates",
-                                           scene.file.string(), most_coplanar_pairs));
+                throw BadInput(
+                    fmt::format("{}: too many faces lie on each other in one plane (more than {} pairs of convex "
+                                "parts); remove the duplicates",
+                                scene.file.string(), most_coplanar_pairs));
             pairs.push_back(std::minmax(by_x[k], by_x[l]));
         }
     std::ranges::sort(pairs);

@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::int64_t most = std::int64_t{1} << 32; // no sum or product of two such numbers overflows
 
-template <class T> T little_endian(std::string_view bytes, std::size_t at) {
+template <class T>
+T little_endian(std::string_view bytes, std::size_t at) {
     std::make_unsigned_t<T> value = 0;
     for (std::size_t i = sizeof(T); i-- > 0;)
-        value = static_cast<std::make_unsigned_t<T>>(std::uint64_t{value} << 8 | static_cast<unsigned char>(bytes[at + i]));
+        value =
+            static_cast<std::make_unsigned_t<T>>(std::uint64_t{value} << 8 | static_cast<unsigned char>(bytes[at + i]));
     return static_cast<T>(value);
 }
 
@@ -64,8 +66,8 @@ std::optional<std::string> decode_percent(std::string_view uri) {
             continue;
         }
         const auto hex = [&](std::size_t at) {
-            return at < uri.size() ? std::string_view("0123456789abcdef").find(static_cast<char>(std::tolower(
-                                         static_cast<unsigned char>(uri[at]))))
+            return at < uri.size() ? std::string_view("0123456789abcdef")
+                                         .find(static_cast<char>(std::tolower(static_cast<unsigned char>(uri[at]))))
                                    : std::string_view::npos;
         };
         const std::size_t high = hex(i + 1), low = hex(i + 2);
@@ -105,7 +107,8 @@ std::string GltfBuffers::load(const JsonValue &buffer) {
         place.fail("is " + in_quotes(uri) + ", which is malformed; give a file name");
     auto bytes = open_(*name);
     if (!bytes)
-        place.fail("is " + in_quotes(uri) + ", which is not there, or outside the scene's folder; put it beside the scene");
+        place.fail("is " + in_quotes(uri) +
+                   ", which is not there, or outside the scene's folder; put it beside the scene");
     return std::move(*bytes);
 }
 
@@ -130,7 +133,8 @@ std::string_view GltfBuffers::buffer(const JsonValue &index) {
     const JsonValue length = buffer["byteLength"];
     const auto n = static_cast<std::size_t>(length.integer(1, most));
     if (n > bytes.size())
-        length.fail(fmt::format("is {} but the buffer holds {} bytes; export it again (is it whole?)", n, bytes.size()));
+        length.fail(
+            fmt::format("is {} but the buffer holds {} bytes; export it again (is it whole?)", n, bytes.size()));
     return bytes.substr(0, n);
 }
 
@@ -145,7 +149,8 @@ std::string_view GltfBuffers::view(const JsonValue &index, std::size_t &stride) 
     const JsonValue length = view["byteLength"];
     const auto n = static_cast<std::size_t>(length.integer(1, most));
     if (from + n > bytes.size())
-        length.fail(fmt::format("is {} from byte {} on, beyond the buffer's {}; export it again", n, from, bytes.size()));
+        length.fail(
+            fmt::format("is {} from byte {} on, beyond the buffer's {}; export it again", n, from, bytes.size()));
     const auto step = view.find("byteStride");
     stride = static_cast<std::size_t>(step ? step->integer(1, 252) : 0);
     return bytes.substr(from, n);
@@ -174,7 +179,8 @@ GltfAccessor GltfBuffers::access(const JsonValue &index, const char *type, std::
     if (out.stride == 0)
         out.stride = element;
     if (out.stride < element)
-        accessor.fail(fmt::format("has elements of {} bytes at a byteStride of {}; export it again", element, out.stride));
+        accessor.fail(
+            fmt::format("has elements of {} bytes at a byteStride of {}; export it again", element, out.stride));
     const auto offset = accessor.find("byteOffset");
     const auto from = static_cast<std::size_t>(offset ? offset->integer(0, most) : 0);
     const std::size_t end = from + (out.count - 1) * out.stride + element;

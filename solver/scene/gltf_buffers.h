@@ -19,9 +19,9 @@ inline constexpr std::size_t largest_buffers = std::size_t{256} << 20;
 struct GltfAccessor {
     std::string_view bytes; ///< from the first element on; long enough for all
     std::size_t count = 0, stride = 0;
-    int component = 0;      ///< glTF's number of the type: 5126 is float
+    int component = 0; ///< glTF's number of the type: 5126 is float
     bool normalized = false;
-    std::string path;       ///< for messages: "accessors[4]"
+    std::string path; ///< for messages: "accessors[4]"
 
     Vec3 vec3(std::size_t i) const;           ///< of a VEC3; i < count
     std::uint32_t index(std::size_t i) const; ///< of a SCALAR of unsigned whole numbers

@@ -38,16 +38,17 @@ GltfContainer split_container(const std::string &file, std::string_view bytes) {
     if (const auto version = word_at(bytes, 4); version != 2)
         throw BadInput(fmt::format("{}: is glTF version {}; export it as glTF 2.0", file, version));
     if (const auto length = word_at(bytes, 8); length > bytes.size())
-        throw BadInput(fmt::format("{}: says that it is {} bytes long but has {}; it was cut off, export or copy it again",
-                                   file, length, bytes.size()));
+        throw BadInput(
+            fmt::format("{}: says that it is {} bytes long but has {}; it was cut off, export or copy it again", file,
+                        length, bytes.size()));
     GltfContainer out;
     for (std::size_t at = header, n = 0; at + chunk_header <= bytes.size() && n < 2; ++n) {
         const std::size_t length = word_at(bytes, at);
         const std::uint32_t kind = word_at(bytes, at + 4);
         at += chunk_header;
         if (length > bytes.size() - at)
-            throw BadInput(fmt::format("{}: chunk {} says that it is {} bytes long but {} are left; export it again", file,
-                                       n, length, bytes.size() - at));
+            throw BadInput(fmt::format("{}: chunk {} says that it is {} bytes long but {} are left; export it again",
+                                       file, n, length, bytes.size() - at));
         const std::string_view chunk = bytes.substr(at, length);
         at += length;
         if (n == 0 && kind != json_chunk)

@@ -10,7 +10,7 @@ namespace penumbra {
 struct GltfMaterials {
     std::vector<Material> materials; ///< by glTF's index, then grey 0.5 for primitives without one
     std::vector<bool> double_sided;
-    std::vector<bool> is_grey;       ///< the file gives no colour: grey 0.5 is taken
+    std::vector<bool> is_grey; ///< the file gives no colour: grey 0.5 is taken
 };
 
 /// Reflectance: pbrMetallicRoughness.baseColorFactor; where it is absent 0 for an emitter, else grey 0.5 (white, glTF's

@@ -55,7 +55,8 @@ void GltfMeshes::read_primitive(const JsonValue &primitive, Triangles &out, Skip
     }
     if (primitive.find("targets"))
         skipped.add("morph targets");
-    if (const auto extensions = primitive.find("extensions"); extensions && extensions->find("KHR_draco_mesh_compression"))
+    if (const auto extensions = primitive.find("extensions");
+        extensions && extensions->find("KHR_draco_mesh_compression"))
         primitive.fail("is compressed (KHR_draco_mesh_compression), which is not read; export it without compression");
     const JsonValue materials = root_.list("materials");
     const auto material_value = primitive.find("material");
@@ -77,11 +78,12 @@ void GltfMeshes::read_primitive(const JsonValue &primitive, Triangles &out, Skip
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t v = indices ? indices->index(vertices[i]) : vertices[i];
             if (v >= positions.count)
-                primitive.fail(fmt::format("has vertex index {}, out of range; there are {} positions", v, positions.count));
+                primitive.fail(
+                    fmt::format("has vertex index {}, out of range; there are {} positions", v, positions.count));
             const Vec3 x = positions.vec3(v);
             if (!x.allFinite())
-                primitive.fail(fmt::format("has a position ({}, {}, {}) that is not finite; give finite coordinates", x.x(),
-                                           x.y(), x.z()));
+                primitive.fail(fmt::format("has a position ({}, {}, {}) that is not finite; give finite coordinates",
+                                           x.x(), x.y(), x.z()));
             triangle.corners[i] = out.number(x);
         }
     }

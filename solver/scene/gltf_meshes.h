@@ -20,9 +20,9 @@ class GltfMeshes {
 public:
     GltfMeshes(const JsonValue &root, GltfBuffers buffers) : root_(root), buffers_(std::move(buffers)) {}
 
-    /// The triangles of its primitives (lists, strips and fans), merged by merge_triangles. Points and lines are counted
-    /// as skipped, and so are skins and morph targets. Throws BadInput as GltfBuffers does, and for an index beyond its
-    /// positions, a position that is not finite, Draco compression, and more than `most_triangles`.
+    /// The triangles of its primitives (lists, strips and fans), merged by merge_triangles. Points and lines are
+    /// counted as skipped, and so are skins and morph targets. Throws BadInput as GltfBuffers does, and for an index
+    /// beyond its positions, a position that is not finite, Draco compression, and more than `most_triangles`.
     const std::vector<GltfFace> &faces(const JsonValue &mesh, Skipped &skipped);
 
 private:

@@ -7,7 +7,8 @@ namespace penumbra {
 
 namespace {
 
-template <std::size_t N> std::optional<Eigen::Matrix<double, N, 1>> numbers(const JsonValue &node, const char *key) {
+template <std::size_t N>
+std::optional<Eigen::Matrix<double, N, 1>> numbers(const JsonValue &node, const char *key) {
     const auto list = node.find(key);
     if (!list)
         return std::nullopt;

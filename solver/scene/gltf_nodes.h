@@ -9,7 +9,7 @@
 namespace penumbra {
 
 struct GltfNode {
-    std::size_t index = 0;                                     ///< in the file's list of nodes
+    std::size_t index = 0; ///< in the file's list of nodes
     Eigen::Affine3d to_scene = Eigen::Affine3d::Identity();
 };
 

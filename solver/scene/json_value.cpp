@@ -35,10 +35,10 @@ public:
     bool parse_error(std::size_t byte, const std::string &, const nlohmann::detail::exception &e) override {
         constexpr int number_out_of_range = 406;
         if (e.id == number_out_of_range)
-            throw BadInput(fmt::format("{}: its JSON has a number beyond double precision at byte {}; give finite numbers",
-                                       file_, byte));
-        throw BadInput(fmt::format("{}: is not valid JSON at byte {} of {}; export it again (is it whole?)", file_, byte,
-                                   n_bytes_));
+            throw BadInput(fmt::format(
+                "{}: its JSON has a number beyond double precision at byte {}; give finite numbers", file_, byte));
+        throw BadInput(fmt::format("{}: is not valid JSON at byte {} of {}; export it again (is it whole?)", file_,
+                                   byte, n_bytes_));
     }
 
 private:
@@ -49,7 +49,8 @@ private:
     }
     bool enter() {
         if (++depth_ > limits_.depth)
-            throw BadInput(fmt::format("{}: its JSON is nested deeper than {} levels; flatten it", file_, limits_.depth));
+            throw BadInput(
+                fmt::format("{}: its JSON is nested deeper than {} levels; flatten it", file_, limits_.depth));
         return count();
     }
     bool leave() {
@@ -68,8 +69,9 @@ private:
 
 json parse_json(const std::string &file, std::string_view text, const JsonLimits &limits) {
     if (text.size() > limits.bytes)
-        throw BadInput(fmt::format("{}: its JSON is longer than the limit of {} MiB; keep the numbers in a binary buffer",
-                                   file, limits.bytes >> 20));
+        throw BadInput(
+            fmt::format("{}: its JSON is longer than the limit of {} MiB; keep the numbers in a binary buffer", file,
+                        limits.bytes >> 20));
     Bounds bounds(file, text.size(), limits);
     json::sax_parse(text.begin(), text.end(), &bounds);
     return json::parse(text.begin(), text.end());

@@ -22,7 +22,7 @@ std::uint64_t key(int a, int b) { return static_cast<std::uint64_t>(a) << 32 | s
 struct Mesh {
     std::span<const Vec3> points;
     std::span<const MeshTriangle> triangles;
-    double rounding = 0; ///< how far corners may be from where they were modelled
+    double rounding = 0;                          ///< how far corners may be from where they were modelled
     std::unordered_map<std::uint64_t, int> owner; ///< of a directed edge: its triangle, or `several`
 
     const Vec3 &point(int i) const { return points[static_cast<std::size_t>(i)]; }

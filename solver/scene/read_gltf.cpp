@@ -22,8 +22,8 @@ namespace {
 
 /// Extensions that change nothing that is read here, and those that are read.
 bool is_harmless(std::string_view extension) {
-    constexpr std::array known{"KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu", "EXT_texture_webp",
-                               "EXT_texture_avif", "KHR_lights_punctual"};
+    constexpr std::array known{"KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu",
+                               "EXT_texture_webp",      "EXT_texture_avif",      "KHR_lights_punctual"};
     return extension.starts_with("KHR_materials_") || std::ranges::find(known, extension) != known.end();
 }
 
@@ -106,15 +106,16 @@ void note_grey(RawScene &raw, const GltfMaterials &materials) {
             notes.add("materials without a baseColorFactor",
                       fmt::format("{}: {} {}: grey 0.5 is taken", raw.file.string(), n_faces[m],
                                   (n_faces[m] == 1 ? "face " : "faces ") +
-                                      (m + 1 == n_faces.size()
-                                           ? std::string("without a material")
-                                           : "of material " + in_quotes(raw.materials[m].name) + " without a baseColorFactor")));
+                                      (m + 1 == n_faces.size() ? std::string("without a material")
+                                                               : "of material " + in_quotes(raw.materials[m].name) +
+                                                                     " without a baseColorFactor")));
     notes.append_to(raw.notes);
 }
 
 } // namespace
 
-Scene read_gltf_bytes(const std::filesystem::path &file, std::string_view bytes, const OpenBuffer &open, const Vec3 &up) {
+Scene read_gltf_bytes(const std::filesystem::path &file, std::string_view bytes, const OpenBuffer &open,
+                      const Vec3 &up) {
     const std::string name = file.string();
     const GltfContainer container = split_container(name, bytes);
     const nlohmann::json json = parse_json(name, container.json);
@@ -137,8 +138,8 @@ Scene read_gltf_bytes(const std::filesystem::path &file, std::string_view bytes,
     for (const GltfNode &node : nodes) {
         const JsonValue place = node_list.at(node.index);
         if (const auto mesh = place.find("mesh"))
-            add_faces(raw, meshes.faces(*mesh, skipped), node, name_of(place, mesh_list.at(mesh->index_into(mesh_list))),
-                      materials, count);
+            add_faces(raw, meshes.faces(*mesh, skipped), node,
+                      name_of(place, mesh_list.at(mesh->index_into(mesh_list))), materials, count);
     }
     note_grey(raw, materials);
     skipped.append_to(raw.notes, name);

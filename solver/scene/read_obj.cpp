@@ -21,8 +21,8 @@ namespace {
 /// A face while vertices that it may name are still to come.
 struct IndexedFace {
     int line = 0;
-    int object = 0, material = 0;  ///< indices of names
-    std::vector<int> vertices;     ///< from 0; not yet compared with the number of vertices
+    int object = 0, material = 0; ///< indices of names
+    std::vector<int> vertices;    ///< from 0; not yet compared with the number of vertices
 };
 
 /// Names that faces have, in the order in which they first stood.
@@ -51,7 +51,8 @@ struct ObjReader {
     void read_vertex(const WavefrontLine &line) {
         const auto &words = line.words;
         if (words.size() < 4)
-            line.fail("a vertex has " + std::to_string(words.size() - 1) + " coordinates; give three (is the file whole?)");
+            line.fail("a vertex has " + std::to_string(words.size() - 1) +
+                      " coordinates; give three (is the file whole?)");
         if (vertices.size() == most_vertices)
             line.fail("there are more than " + std::to_string(most_vertices) + " vertices; simplify the scene");
         Vec3 x;
@@ -89,7 +90,8 @@ struct ObjReader {
         if (n < 3)
             line.fail("a face has " + std::to_string(n) + " corners; give at least three (is the file whole?)");
         count.add(line.file, n);
-        IndexedFace &face = faces.emplace_back(IndexedFace{line.number, names.number(object), names.number(material), {}});
+        IndexedFace &face =
+            faces.emplace_back(IndexedFace{line.number, names.number(object), names.number(material), {}});
         for (std::size_t i = 1; i <= n; ++i)
             face.vertices.push_back(read_corner(line, line.words[i]));
     }
@@ -146,9 +148,10 @@ std::vector<Material> read_libraries(ObjReader &reader, const OpenLibrary &open,
 void note_grey(std::vector<std::string> &all, const std::string &file, const std::map<std::string, int> &grey) {
     Notes notes;
     for (const auto &[name, n] : grey)
-        notes.add("missing materials, taken as grey", file + ": " + std::to_string(n) + (n == 1 ? " face" : " faces") +
-                        (name.empty() ? " without a material" : " of the missing material " + in_quotes(name)) +
-                        ": grey 0.5 is taken");
+        notes.add("missing materials, taken as grey",
+                  file + ": " + std::to_string(n) + (n == 1 ? " face" : " faces") +
+                      (name.empty() ? " without a material" : " of the missing material " + in_quotes(name)) +
+                      ": grey 0.5 is taken");
     notes.append_to(all);
 }
 

@@ -17,7 +17,9 @@ std::string WavefrontLine::name() const {
     return out;
 }
 
-void WavefrontLine::fail(const std::string &what) const { throw BadInput(fmt::format("{}:{}: {}", file, number, what)); }
+void WavefrontLine::fail(const std::string &what) const {
+    throw BadInput(fmt::format("{}:{}: {}", file, number, what));
+}
 
 void for_each_wavefront_line(const std::string &file, std::string_view text,
                              const std::function<void(const WavefrontLine &)> &take) {

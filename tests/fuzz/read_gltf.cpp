@@ -1,7 +1,7 @@
-// glTF 2.0, text and binary: any bytes as the scene, beside a buffer file that is there (three corners of a triangle, as
-// floats, and then the indices 0 1 2 as shorts).
-#include "fuzz/sound.h"
+// glTF 2.0, text and binary: any bytes as the scene, beside a buffer file that is there (three corners of a triangle,
+// as floats, and then the indices 0 1 2 as shorts).
 #include "scene/read_gltf.h"
+#include "fuzz/sound.h"
 
 #include <cstring>
 

@@ -9,7 +9,7 @@ namespace penumbra {
 
 /// A file that is put together value by value; buffer 0 holds `bytes`.
 struct GltfDraft {
-    nlohmann::json json = {{"asset", {{"version", "2.0"}}},   {"buffers", nlohmann::json::array()},
+    nlohmann::json json = {{"asset", {{"version", "2.0"}}},          {"buffers", nlohmann::json::array()},
                            {"bufferViews", nlohmann::json::array()}, {"accessors", nlohmann::json::array()},
                            {"materials", nlohmann::json::array()},   {"meshes", nlohmann::json::array()},
                            {"nodes", nlohmann::json::array()}};

@@ -40,7 +40,8 @@ std::string refusal(const std::string &obj, const std::string &mtl = "") {
 }
 
 TEST(Limits, FacesAndCorners) {
-    EXPECT_THAT(refusal(square + repeated("f 1 2 3\n", 200'001)), HasSubstr("t.obj: has more than 200000 faces; simplify"));
+    EXPECT_THAT(refusal(square + repeated("f 1 2 3\n", 200'001)),
+                HasSubstr("t.obj: has more than 200000 faces; simplify"));
     EXPECT_THAT(refusal(square + repeated("f" + repeated(" 1 2 3 4", 2500) + "\n", 201)),
                 HasSubstr("more than 2000000 corners of faces; simplify"));
     EXPECT_THAT(refusal(square + "f 1 2 8000001\n"), HasSubstr("t.obj:5: face index 8000001 is out of range"));
@@ -52,15 +53,18 @@ TEST(Limits, FacesThatLieOnEachOther) {
 }
 
 TEST(Limits, LinesAndNames) {
-    EXPECT_THAT(refusal(square + "f" + repeated(" 1", 600'000)), HasSubstr("t.obj:5: the line is longer than 1024 KiB"));
+    EXPECT_THAT(refusal(square + "f" + repeated(" 1", 600'000)),
+                HasSubstr("t.obj:5: the line is longer than 1024 KiB"));
     EXPECT_THAT(refusal(square + repeated("f 1 2 3 \\\n", 200'000)), HasSubstr("the line is longer than 1024 KiB"));
-    EXPECT_THAT(refusal("o " + std::string(300, 'x') + "\n" + square + "f 1 2 3\n"), HasSubstr("a name of 300 bytes is too long"));
+    EXPECT_THAT(refusal("o " + std::string(300, 'x') + "\n" + square + "f 1 2 3\n"),
+                HasSubstr("a name of 300 bytes is too long"));
 }
 
 TEST(Limits, MaterialsAndLibraries) {
     EXPECT_THAT(refusal("mtllib m\n" + square + "f 1 2 3\n", numbered("newmtl a", 10'001)),
                 HasSubstr("m:10001: there are more than 10000 materials; merge some"));
-    EXPECT_THAT(refusal(numbered("mtllib l", 17) + square + "f 1 2 3\n"), HasSubstr("t.obj:17: there are more than 16 material libraries"));
+    EXPECT_THAT(refusal(numbered("mtllib l", 17) + square + "f 1 2 3\n"),
+                HasSubstr("t.obj:17: there are more than 16 material libraries"));
     EXPECT_EQ(scene_of(repeated("mtllib m\n", 1000) + square + "f 1 2 3\n", "newmtl a\n").materials.size(), 2U)
         << "a library named again is read once";
 }

@@ -16,7 +16,8 @@ struct Grid {
     std::vector<Vec3> points;
     std::vector<MeshTriangle> triangles;
 
-    template <class IsHole> Grid(int n, IsHole is_hole) {
+    template <class IsHole>
+    Grid(int n, IsHole is_hole) {
         for (int y = 0; y <= n; ++y)
             for (int x = 0; x <= n; ++x)
                 points.push_back(Vec3(x, y, 0));

@@ -94,14 +94,16 @@ TEST(ReadGltf, BuffersOutsideTheFolderAreNotRead) {
 }
 
 TEST(ReadGltf, WhatBlenderExports) {
-    // z up there: the mesh stays as it was modelled and a node turns it by -90 degrees about x. Positions are repeated for
-    // normals and texture coordinates, and a primitive is made for each material.
+    // z up there: the mesh stays as it was modelled and a node turns it by -90 degrees about x. Positions are repeated
+    // for normals and texture coordinates, and a primitive is made for each material.
     GltfDraft draft;
-    const int white = draft.material("Material", {0.8, 0.8, 0.8}), glow = draft.material("Emission", {0, 0, 0}, {5, 5, 5});
+    const int white = draft.material("Material", {0.8, 0.8, 0.8}),
+              glow = draft.material("Emission", {0, 0, 0}, {5, 5, 5});
     draft.json["materials"][0]["doubleSided"] = true;
     draft.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
     // A plane of 2 x 2 in two triangles that share no vertex number.
-    const int mesh = draft.mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0, 1, 2, 3, 4, 5}, white);
+    const int mesh =
+        draft.mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0, 1, 2, 3, 4, 5}, white);
     nlohmann::json &primitives = draft.json["meshes"][static_cast<std::size_t>(mesh)]["primitives"];
     const int normals = draft.vec3(std::vector<Vec3>(6, Vec3(0, 0, 1))), uv = draft.vec2(6);
     primitives[0]["attributes"]["NORMAL"] = normals;
@@ -114,7 +116,8 @@ TEST(ReadGltf, WhatBlenderExports) {
                            {{"name", "Camera"}, {"camera", 0}, {"translation", {0, 1, 10}}, {"rotation", {0, 0, 0, 1}}},
                            {{"name", "Root"}, {"children", {0, 1}}, {"translation", {100, 0, 0}}},
                            {{"name", "Unused"}, {"mesh", mesh}}};
-    draft.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", std::numbers::pi / 4}, {"znear", 0.1}}}}};
+    draft.json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", std::numbers::pi / 4}, {"znear", 0.1}}}}};
     draft.json["scenes"] = {{{"nodes", {3}}}, {{"nodes", {2}}}};
     draft.json["scene"] = 1;
     draft.json["extensionsUsed"] = {"KHR_materials_emissive_strength"};
@@ -174,7 +177,8 @@ TEST(ReadGltf, MirroredNodesKeepTheirFronts) {
     GltfDraft draft;
     const BoxMesh box = box_mesh({1, 0, 0}, {2, 1, 1});
     const int node = draft.node("box", draft.mesh(box.positions, box.indices, draft.material("m", {0.5, 0.5, 0.5})));
-    for (const nlohmann::json &scale : {nlohmann::json{-1, 1, 1}, nlohmann::json{-1, -1, 1}, nlohmann::json{-2, -1, -3}}) {
+    for (const nlohmann::json &scale :
+         {nlohmann::json{-1, 1, 1}, nlohmann::json{-1, -1, 1}, nlohmann::json{-2, -1, -3}}) {
         draft.json["nodes"][static_cast<std::size_t>(node)]["scale"] = scale;
         const Scene scene = scene_of(draft);
         ASSERT_EQ(scene.n_surfaces(), 6);
@@ -188,7 +192,8 @@ TEST(ReadGltf, MatricesAreByColumnsAndParentsComeFirst) {
     const int mesh = draft.mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}, draft.material("m", {0.5, 0.5, 0.5}));
     draft.node("child", mesh);
     draft.json["nodes"][0]["translation"] = {1, 0, 0};
-    draft.json["nodes"].push_back({{"children", {0}}, {"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 10, 20, 30, 1}}});
+    draft.json["nodes"].push_back(
+        {{"children", {0}}, {"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 10, 20, 30, 1}}});
     const Scene scene = scene_of(draft); // (x, y, z) -> 2 (-y, x, z) + (10, 20, 30), after x + 1
     EXPECT_NEAR((scene.own.to_own(scene.surfaces[0].corners[0]) - Vec3(10, 22, 30)).norm(), 0, 1e-12);
     EXPECT_NEAR((scene.own.to_own(scene.surfaces[0].corners[1]) - Vec3(10, 24, 30)).norm(), 0, 1e-12);
@@ -199,7 +204,8 @@ TEST(ReadGltf, StripsAndFansAreTriangles) {
     for (const int mode : {5, 6}) {
         GltfDraft draft;
         const std::vector<int> order = mode == 5 ? std::vector{0, 1, 3, 2} : std::vector{0, 1, 2, 3};
-        draft.node("s", draft.mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, order, draft.material("m", {0.5, 0.5, 0.5})));
+        draft.node(
+            "s", draft.mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, order, draft.material("m", {0.5, 0.5, 0.5})));
         draft.json["meshes"][0]["primitives"][0]["mode"] = mode;
         const Scene scene = scene_of(draft);
         ASSERT_EQ(scene.n_surfaces(), 1) << mode;
@@ -212,7 +218,8 @@ TEST(ReadGltf, QuantizedPositionsAreRead) {
     GltfDraft draft; // 8 bits, normalized, every fourth byte unused
     draft.bytes = std::string("\0\0\0\0\x7f\0\0\0\0\x7f\0\0", 12);
     draft.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", 12}, {"byteStride", 4}}};
-    draft.json["accessors"] = {{{"bufferView", 0}, {"componentType", 5120}, {"normalized", true}, {"count", 3}, {"type", "VEC3"}}};
+    draft.json["accessors"] = {
+        {{"bufferView", 0}, {"componentType", 5120}, {"normalized", true}, {"count", 3}, {"type", "VEC3"}}};
     draft.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}};
     draft.json["extensionsRequired"] = {"KHR_mesh_quantization"};
     draft.node("q", 0);
@@ -254,7 +261,7 @@ std::string refusal_with(const std::function<void(GltfDraft &)> &spoil) {
     return refusal(draft.gltf());
 }
 
-#define SPOIL(...) refusal_with([](GltfDraft & d) { __VA_ARGS__; })
+#define SPOIL(...) refusal_with([](GltfDraft &d) { __VA_ARGS__; })
 
 TEST(BadGltf, NoJson) {
     EXPECT_THAT(refusal(""), HasSubstr("not valid JSON"));
@@ -304,7 +311,8 @@ TEST(BadGltf, CutOffBinary) {
 }
 
 TEST(BadGltf, IndicesOutOfRange) {
-    EXPECT_THAT(SPOIL(d.json["nodes"][1]["mesh"] = 17), HasSubstr("nodes[1].mesh is 17, out of range; there are 3 meshes"));
+    EXPECT_THAT(SPOIL(d.json["nodes"][1]["mesh"] = 17),
+                HasSubstr("nodes[1].mesh is 17, out of range; there are 3 meshes"));
     EXPECT_THAT(SPOIL(d.json["nodes"][1]["mesh"] = -1), HasSubstr("nodes[1].mesh is -1, out of range"));
     EXPECT_THAT(SPOIL(d.json["nodes"][1]["mesh"] = 0.5), HasSubstr("nodes[1].mesh is 0.5, out of range"));
     EXPECT_THAT(SPOIL(d.json["nodes"][1]["mesh"] = "box"), HasSubstr("nodes[1].mesh is 'box'; give a number"));
@@ -322,7 +330,8 @@ TEST(BadGltf, BuffersAndAccessorsBeyondTheirEnds) {
     EXPECT_THAT(SPOIL(d.json["accessors"][0]["count"] = 1'000'000), HasSubstr("reaches to byte 12000000"));
     EXPECT_THAT(SPOIL(d.json["accessors"][0]["count"] = 0), HasSubstr("accessors[0].count is 0"));
     EXPECT_THAT(SPOIL(d.json["accessors"][0]["count"] = 1e300), HasSubstr("accessors[0].count is 1e+300"));
-    EXPECT_THAT(SPOIL(d.json["accessors"][0]["byteOffset"] = 4), HasSubstr("accessors[0] reaches to byte 292 of a bufferView of 288"));
+    EXPECT_THAT(SPOIL(d.json["accessors"][0]["byteOffset"] = 4),
+                HasSubstr("accessors[0] reaches to byte 292 of a bufferView of 288"));
     EXPECT_THAT(SPOIL(d.json["accessors"][0]["byteOffset"] = -4), HasSubstr("accessors[0].byteOffset is -4"));
     EXPECT_THAT(SPOIL(d.json["accessors"][0]["type"] = "VEC2"), HasSubstr("'VEC2'; give VEC3"));
     EXPECT_THAT(SPOIL(d.json["accessors"][0]["componentType"] = 5124), HasSubstr("5124, which glTF does not have"));
@@ -340,7 +349,8 @@ TEST(BadGltf, BuffersAndAccessorsBeyondTheirEnds) {
 }
 
 TEST(BadGltf, WhatIsCompressedOrUnknownIsRefused) {
-    EXPECT_THAT(SPOIL(d.json["accessors"][0]["sparse"] = nlohmann::json::object()), HasSubstr("is sparse, which is not read"));
+    EXPECT_THAT(SPOIL(d.json["accessors"][0]["sparse"] = nlohmann::json::object()),
+                HasSubstr("is sparse, which is not read"));
     EXPECT_THAT(SPOIL(d.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}),
                 HasSubstr("'KHR_draco_mesh_compression', which is not read"));
     EXPECT_THAT(SPOIL(d.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = 0),
@@ -358,14 +368,16 @@ TEST(BadGltf, Nodes) {
     EXPECT_THAT(SPOIL(d.json["nodes"][0]["rotation"] = {0, 0, 0, 0}), HasSubstr("quaternion of length 0"));
     EXPECT_THAT(SPOIL(d.json["nodes"][0]["scale"] = {1, 1}), HasSubstr("nodes[0].scale has 2 numbers; give 3"));
     EXPECT_THAT(SPOIL(d.json["nodes"][0]["matrix"] = std::vector<int>(16, 1)), HasSubstr("is not affine"));
-    EXPECT_THAT(SPOIL(d.json["nodes"][0]["scale"] = {1e308, 1e308, 1e308}), HasSubstr("face of 'room' has a corner (0, inf, 0)"));
+    EXPECT_THAT(SPOIL(d.json["nodes"][0]["scale"] = {1e308, 1e308, 1e308}),
+                HasSubstr("face of 'room' has a corner (0, inf, 0)"));
     EXPECT_THAT(SPOIL(d.json["nodes"][0]["name"] = std::string(1000, 'x')), HasSubstr("text of 1000 bytes"));
 }
 
 TEST(BadGltf, ValuesThatMakeNoSense) {
     EXPECT_THAT(SPOIL(d.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 1}),
                 HasSubstr("material 'white': reflectance (baseColorFactor) 1 is outside [0, 1); give less than 1"));
-    EXPECT_THAT(SPOIL(d.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5}), HasSubstr("has 1 values"));
+    EXPECT_THAT(SPOIL(d.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5}),
+                HasSubstr("has 1 values"));
     EXPECT_THAT(SPOIL(d.json["materials"][2]["emissiveFactor"] = {-1, 0, 0}), HasSubstr("exitance (emissiveFactor)"));
     EXPECT_THAT(SPOIL(const float nan = std::numeric_limits<float>::quiet_NaN(); std::memcpy(d.bytes.data(), &nan, 4)),
                 HasSubstr("meshes[0].primitives[0] has a position (nan, 0, 0) that is not finite"));

@@ -1,15 +1,16 @@
 // Two independent readers must agree: tinygltf on a file with instances, interleaved values and short indices.
 #include "gltf_draft.h"
 
-#include <gtest/gtest.h>
 #include <cstring>
+#include <gtest/gtest.h>
 #include <map>
 #include <tiny_gltf.h>
 
 namespace penumbra {
 namespace {
 
-template <class T> T value_at(const tinygltf::Model &model, const tinygltf::Accessor &a, std::size_t i, std::size_t n_bytes) {
+template <class T>
+T value_at(const tinygltf::Model &model, const tinygltf::Accessor &a, std::size_t i, std::size_t n_bytes) {
     const tinygltf::BufferView &view = model.bufferViews[static_cast<std::size_t>(a.bufferView)];
     T value;
     std::memcpy(&value,
@@ -32,10 +33,12 @@ std::map<std::string, double> areas_of(const tinygltf::Model &model) {
                 for (std::size_t i = 0; i < 3; ++i)
                     for (std::size_t c = 0; c < 3; ++c) {
                         const auto v = value_at<std::uint16_t>(model, indices, t + i, 0);
-                        x[i][static_cast<Eigen::Index>(c)] = scale[static_cast<Eigen::Index>(c)] *
-                                                             static_cast<double>(value_at<float>(model, positions, v, 4 * c));
+                        x[i][static_cast<Eigen::Index>(c)] =
+                            scale[static_cast<Eigen::Index>(c)] *
+                            static_cast<double>(value_at<float>(model, positions, v, 4 * c));
                     }
-                areas[model.materials[static_cast<std::size_t>(p.material)].name] += (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
+                areas[model.materials[static_cast<std::size_t>(p.material)].name] +=
+                    (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
             }
         }
     }
@@ -45,7 +48,8 @@ std::map<std::string, double> areas_of(const tinygltf::Model &model) {
 TEST(TinyGltf, AgreesOnTextAndBinary) {
     GltfDraft draft;
     const int a = draft.material("a", {0.1, 0.2, 0.3}), b = draft.material("b", {0.7, 0.6, 0.5}, {3, 2, 1});
-    const BoxMesh room = box_mesh({-1.7, -2.3, 0.1}, {3.3, 2.9, 4.7}, true), box = box_mesh({0.1, 0.2, 0.3}, {0.7, 1.1, 1.3});
+    const BoxMesh room = box_mesh({-1.7, -2.3, 0.1}, {3.3, 2.9, 4.7}, true),
+                  box = box_mesh({0.1, 0.2, 0.3}, {0.7, 1.1, 1.3});
     draft.node("room", draft.mesh(room.positions, room.indices, a));
     const int mesh = draft.mesh(box.positions, box.indices, b);
     draft.json["nodes"].push_back({{"name", "one"}, {"mesh", mesh}, {"translation", {0.5, -1, 0.25}}});
@@ -64,7 +68,8 @@ TEST(TinyGltf, AgreesOnTextAndBinary) {
         EXPECT_EQ(scene.n_surfaces(), 18);
         std::map<std::string, double> ours;
         for (const Surface &s : scene.surfaces)
-            ours[scene.materials[static_cast<std::size_t>(s.material)].name] += s.area * scene.own.size * scene.own.size;
+            ours[scene.materials[static_cast<std::size_t>(s.material)].name] +=
+                s.area * scene.own.size * scene.own.size;
         const auto theirs = areas_of(model);
         ASSERT_EQ(ours.size(), theirs.size());
         for (const auto &[name, area] : theirs)
