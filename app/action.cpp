@@ -1,5 +1,6 @@
 #include "action.h"
 
+#include "keyhole_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -64,6 +65,8 @@ void cancel(State &s) {
         s.help_open = s.open_dialog = false;
     } else if (s.pinned_curve) {
         s.pinned_curve.reset();
+    } else if (s.keyhole.open) {
+        s.keyhole.open = false;
     } else if (can_cancel(s)) {
         s.cancel_request = true;
         s.halted = true;
@@ -157,6 +160,9 @@ const std::vector<Action> &list() {
          has_scene},
         {"view.fit", Menu::view, "Fit", "Moves the eye until the whole scene is in the frame.", {"F"}, fit_view,
          has_scene},
+        {"view.keyhole", Menu::view, "Keyhole",
+         "Shows what a point sees of each light; drag the point over a surface.", {"K"}, toggle_keyhole, has_scene,
+         [](const State &s) { return s.keyhole.open; }},
         {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop, in all panes.", {"E"},
          [](State &s) { change_exposure(s, 0.5); }},
         {"view.darker", Menu::view, "Darker", "Exposure down by half a stop, in all panes.", {"Shift+E"},

@@ -2,7 +2,9 @@
 // follows from it.
 #pragma once
 
+#include "measure/keyhole.h"
 #include "render/camera.h"
+#include "render/event_words.h"
 #include "render/look.h"
 #include "render/pick.h"
 #include "scene/scene.h"
@@ -51,6 +53,18 @@ struct WindowRect {
     float x = 0, y = 0, width = 0, height = 0;
 };
 
+/// Looking at the emitters from one point; see keyhole_verbs.h.
+struct KeyholeMode {
+    bool open = false;
+    bool dragging = false;                     ///< the mouse holds the point
+    std::shared_ptr<const Scene> scene;        ///< that the eye looks from
+    std::shared_ptr<const KeyholeEye> eye;
+    std::shared_ptr<const Keyhole> seen;       ///< from where the point is; null: nowhere yet
+    int crossed = -1;                          ///< curve that was crossed last; -1: none
+    Clock::time_point crossed_at;
+    EventWords news;                           ///< what that has changed
+};
+
 struct AppState {
     // What is solved.
     std::shared_ptr<const Scene> scene;
@@ -82,6 +96,7 @@ struct AppState {
     std::optional<Pick> under_cursor;
     std::optional<int> hovered_curve; ///< of the snapshots' curves, which are the same in all panes
     std::optional<int> pinned_curve;  ///< by a click: stays in the limelight
+    KeyholeMode keyhole;
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins
     std::optional<glm::dvec3> orbit_pivot; ///< of the drag that is going on
     std::optional<glm::dvec3> drag_anchor; ///< point that a pan keeps under the mouse

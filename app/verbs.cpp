@@ -1,5 +1,7 @@
 #include "verbs.h"
 
+#include "keyhole_verbs.h"
+
 #include <algorithm>
 #include <type_traits>
 
@@ -50,6 +52,7 @@ void apply(AppState &state, const Opened &opened) {
     state.hovered_curve.reset();
     state.pinned_curve.reset();
     state.look.curve_filter.source = -1;
+    state.keyhole = {};
     state.opening.clear();
     state.playing = false;
     state.position = 0;
@@ -182,6 +185,8 @@ void fit_view(AppState &state) {
 }
 
 Spotlight spotlight(const AppState &state) {
+    if (crossing_glows(state, Clock::now()) > 0)
+        return {state.keyhole.crossed, false};
     return {state.pinned_curve.value_or(state.hovered_curve.value_or(-1))};
 }
 

@@ -38,7 +38,7 @@ constexpr const char *letter(Strategy s) {
     return letters[static_cast<std::size_t>(s)];
 }
 
-/// The curve that stands out: the pinned one, or else the one under the mouse.
+/// The curve that stands out: the one that the keyhole has just crossed, or the pinned one, or the one under the mouse.
 Spotlight spotlight(const AppState &state);
 
 /// Takes over what the worker says. Reports of an earlier run are dropped.

@@ -1,5 +1,6 @@
 #include "commands/look_options.h"
 
+#include "core/read_text.h"
 #include "scene/obj_header.h"
 
 #include <CLI/Option.hpp>
@@ -77,12 +78,25 @@ void set_flags(const char *option, const std::string &text, const std::array<std
     }
 }
 
+void set_keyhole(LookOptions &options, const std::string &text) {
+    const auto words = words_of(text);
+    Vec3 point;
+    bool good = words.size() == 3;
+    for (std::size_t i = 0; good && i < 3; ++i)
+        good = number_from(words[i], point[static_cast<Eigen::Index>(i)]) &&
+               std::isfinite(point[static_cast<Eigen::Index>(i)]);
+    if (!good)
+        refuse("--keyhole", text, "\"x y z\", a point on a surface");
+    options.keyhole = point;
+}
+
 void add_curve_options(CLI::App &parser, LookOptions &options) {
     constexpr std::array<std::string_view, 5> kinds{"VE", "EV", "EEE", "plane", "contact"};
     constexpr std::array<std::string_view, 3> orders{"0", "1", "2"};
     CurveFilter &filter = options.look.curve_filter;
     parser.add_option_function<std::string>(
-        "--curve-kinds", [=, &filter](const std::string &text) { set_flags("--curve-kinds", text, kinds, filter.kinds); },
+        "--curve-kinds",
+        [=, &filter](const std::string &text) { set_flags("--curve-kinds", text, kinds, filter.kinds); },
         "Draws these curves alone: of VE, EV, EEE, plane, contact, with commas between");
     parser.add_option_function<std::string>(
         "--curve-orders",
@@ -91,9 +105,13 @@ void add_curve_options(CLI::App &parser, LookOptions &options) {
     parser.add_option("--curve-source", options.curve_source,
                       "Draws curves of this source alone: a surface's number, or its object's name");
     parser
-        .add_option("--curve", options.look.spotlight.curve,
-                    "Shows this curve (its number in the output of 'curves') with its critical surface, and says what it is")
+        .add_option(
+            "--curve", options.look.spotlight.curve,
+            "Shows this curve (its number in the output of 'curves') with its critical surface, and says what it is")
         ->check(CLI::NonNegativeNumber);
+    parser.add_option_function<std::string>(
+        "--keyhole", [&](const std::string &text) { set_keyhole(options, text); },
+        "\"x y z\": shows beside the picture what is seen of each emitter from this point of a surface");
 }
 
 void set_range(LookOptions &options, const std::string &text) {

@@ -16,10 +16,11 @@ struct LookOptions {
     Look look;
     std::optional<View> view; ///< none: the scene's own
     std::string curve_source; ///< name or number of a surface; empty: all
+    std::optional<Vec3> keyhole; ///< to look at the emitters from; none: nowhere
 };
 
-/// --size, --layers, --curve-kinds, --curve-orders, --curve-source, --curve, --shading, --view, --exposure, --range,
-/// --false-colour, --background.
+/// --size, --layers, --curve-kinds, --curve-orders, --curve-source, --curve, --keyhole, --shading, --view, --exposure,
+/// --range, --false-colour, --background.
 void add_look_options(CLI::App &parser, LookOptions &options);
 
 } // namespace penumbra

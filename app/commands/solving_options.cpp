@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <vector>
 
 namespace penumbra {
 
@@ -39,6 +40,13 @@ std::map<std::string, Strategy> strategies() {
     std::map<std::string, Strategy> all;
     for (const Strategy s : all_strategies)
         all.emplace(name(s), s);
+    return all;
+}
+
+std::vector<std::string> cut_choices() {
+    std::vector<std::string> all;
+    for (const CutChoice c : all_cut_choices)
+        all.emplace_back(name(c));
     return all;
 }
 
@@ -73,6 +81,11 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
             "--strategy", [&o](const std::string &text) { o.strategy = *strategy_from_name(text); },
             "uniform-constant, discontinuity-constant, uniform-wavelet or discontinuity-wavelet (default)")
         ->check(CLI::IsMember(strategies()));
+    parser
+        .add_option_function<std::string>(
+            "--cut", [&o](const std::string &text) { o.cut = *cut_choice_from_name(text); },
+            "curves (default), or best: where no curve is worth it, the straight cut that lowers the error most")
+        ->check(CLI::IsMember(cut_choices()));
     parser
         .add_option_function<std::string>(
             "--basis",

@@ -37,7 +37,7 @@ void add_up_option(CLI::App &parser, SolvingOptions &solving);
 /// The positional SCENE and --up.
 void add_scene_options(CLI::App &parser, SolvingOptions &solving);
 
-/// --strategy, --basis, --order, --threshold, --max-depth, --max-iterations, --threads, --time-limit; those whose
+/// --strategy, --cut, --basis, --order, --threshold, --max-depth, --max-iterations, --threads, --time-limit; those whose
 /// capability is still to come (--tolerance, --basis planar, --effect, --memory-limit) are refused while parsing.
 void add_solving_options(CLI::App &parser, SolvingOptions &solving);
 

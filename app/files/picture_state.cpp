@@ -34,6 +34,7 @@ std::string picture_state(const PictureSpec &spec, const std::filesystem::path &
                    {"fresh", look.emphasise_fresh},
                    {"legend", spec.legend}};
     j["curves"] = curves_json(look);
+    j["keyhole"] = spec.keyhole ? Json{spec.keyhole->point.x(), spec.keyhole->point.y(), spec.keyhole->point.z()} : Json();
     j["shading"] = name(look.shading);
     j["false_colour"] = look.false_colour;
     j["exposure"] = look.exposure_ev;

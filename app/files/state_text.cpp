@@ -43,6 +43,8 @@ Json saved(const AppState &s) {
     Look look = s.look;
     look.spotlight.curve = s.pinned_curve.value_or(-1);
     j["curves"] = curves_json(look);
+    const bool looks = s.keyhole.open && s.keyhole.seen;
+    j["keyhole"] = looks ? triple({s.keyhole.seen->point.x(), s.keyhole.seen->point.y(), s.keyhole.seen->point.z()}) : Json();
     j["shading"] = name(s.look.shading);
     j["false_colour"] = s.look.false_colour;
     j["exposure"] = s.look.exposure_ev;
@@ -62,6 +64,19 @@ Json pane(const AppState &s, Strategy strategy) {
         j["version"] = snapshot->version;
         j["computed"] = s.timeline(strategy).last();
     }
+    return j;
+}
+
+Json keyhole(const KeyholeMode &mode) {
+    Json j{{"open", mode.open}, {"crossed", mode.crossed}, {"news", mode.news.sentence}};
+    if (!mode.open || !mode.seen)
+        return j;
+    const Vec3 &p = mode.seen->point;
+    j["surface"] = mode.seen->surface.index;
+    j["point"] = {p.x(), p.y(), p.z()};
+    j["emitters"] = Json::array();
+    for (const KeyholeEmitter &e : mode.seen->emitters)
+        j["emitters"].push_back({{"source", e.whole.surface}, {"share", e.share}, {"corners", e.corners.size()}});
     return j;
 }
 
@@ -91,6 +106,7 @@ std::string observed_state_text(const AppState &s) {
                                        : Json();
     j["hovered_curve"] = s.hovered_curve ? Json(*s.hovered_curve) : Json();
     j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
+    j["looking"] = keyhole(s.keyhole);
     j["picture"] = s.last_picture;
     j["inputs"] = s.inputs;
     j["cancel_ms"] = s.cancel_ms;

@@ -32,8 +32,8 @@ void draw_kinds(AppState &state) {
         ImGui::PopStyleVar();
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         if (on) // in the colour that the curve is drawn in
-            ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - em(0.2f)}, high,
-                                                      ImGui::ColorConvertFloat4ToU32(curve_colour(static_cast<int>(k))));
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                {low.x, high.y - em(0.2f)}, high, ImGui::ColorConvertFloat4ToU32(curve_colour(static_cast<int>(k))));
     }
 }
 
@@ -70,7 +70,8 @@ void draw_sources(AppState &state, const Snapshot &snapshot) {
     mark(state, "curve source all");
     for (const int source : sources) {
         ImGui::PushID(source);
-        if (ImGui::Selectable((surface_name(snapshot, source) + " (" + std::to_string(source) + ")").c_str(), chosen == source))
+        if (ImGui::Selectable((surface_name(snapshot, source) + " (" + std::to_string(source) + ")").c_str(),
+                              chosen == source))
             chosen = source;
         ImGui::PopID();
         mark(state, "curve source " + std::to_string(source));

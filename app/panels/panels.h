@@ -15,6 +15,8 @@ void draw_transport(AppState &state, const WindowRect &rect);    ///< step, play
 void draw_status_bar(AppState &state, const WindowRect &rect);
 /// Labels and legends over the panes, and the mouse in them.
 void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fonts);
+/// Over the panes; part of draw_panes.
+void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 void draw_hint(AppState &state, const WindowRect &panes);        ///< until the first step
 void draw_error(AppState &state, const WindowRect &panes);       ///< the message, when it is one
 void draw_open_dialog(AppState &state);

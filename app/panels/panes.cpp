@@ -1,8 +1,10 @@
+#include "keyhole_verbs.h"
 #include "panels/controls.h"
 #include "panels/navigation.h"
 #include "panels/panels.h"
 #include "render/event_note.h"
 #include "render/pick_curve.h"
+#include "render/surface_role.h"
 #include "verbs.h"
 
 #include <string>
@@ -67,6 +69,26 @@ void point_at_curves(AppState &state, const Snapshot &snapshot, const WindowRect
         tell_curve(snapshot, found->curve);
 }
 
+/// With the keyhole open, a drag that begins on a surface that reflects moves the point that looks.
+void drag_keyhole(AppState &state, const Snapshot *snapshot, double aspect, const FramePoint &at) {
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        if (ImGui::IsItemDeactivated())
+            state.keyhole.dragging = false;
+        return;
+    }
+    const bool begins = ImGui::IsItemActivated() && state.keyhole.open && !ImGui::GetIO().KeyShift;
+    if (!snapshot || !(begins || state.keyhole.dragging))
+        return;
+    const auto found = pick(*snapshot, state.camera, aspect, at.x, at.y);
+    const auto reflects = [&](int surface) {
+        return role(snapshot->surfaces[static_cast<std::size_t>(surface)]) == SurfaceRole::reflector;
+    };
+    if (!found || !reflects(found->surface))
+        return;
+    state.keyhole.dragging = true;
+    move_keyhole(state, found->surface, found->point);
+}
+
 void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const ImGuiIO &io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
@@ -75,7 +97,9 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const FramePoint at = frame_point(rect, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (ImGui::IsItemActivated())
         begin_drag(state, point_under(state, snapshot.get(), aspect, at), pane);
-    if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    const bool held = state.keyhole.dragging; // also in the frame in which the point is let go
+    drag_keyhole(state, snapshot.get(), aspect, at);
+    if (ImGui::IsItemActive() && !state.keyhole.dragging && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
         const auto dx = static_cast<double>(io.MouseDelta.x), dy = static_cast<double>(io.MouseDelta.y);
         const auto height = static_cast<double>(rect.height);
         const Drag drag = drag_of(io);
@@ -92,7 +116,7 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
         zoom_by(state, static_cast<double>(io.MouseWheel), point_under(state, snapshot.get(), aspect, at));
     if (snapshot)
         state.under_cursor = pick(*snapshot, state.camera, aspect, at.x, at.y);
-    if (snapshot && snapshot->curves)
+    if (snapshot && snapshot->curves && !held && !state.keyhole.dragging)
         point_at_curves(state, *snapshot, rect, at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         state.pivot = point_under(state, snapshot.get(), aspect, at);
@@ -116,10 +140,10 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
     return height;
 }
 
-/// What the pinned curve is, above the footnote.
+/// What the pinned curve is, above the footnote; the keyhole needs the place for its news.
 void draw_pinned(const AppState &state, ImDrawList &list, const Fonts &fonts, const WindowRect &rect) {
     const auto snapshot = state.snapshot(state.active_strategy());
-    if (!state.pinned_curve || !snapshot || !snapshot->curves ||
+    if (state.keyhole.open || !state.pinned_curve || !snapshot || !snapshot->curves ||
         *state.pinned_curve >= static_cast<int>(snapshot->curves->size()))
         return;
     const SnapshotCurve &curve = (*snapshot->curves)[static_cast<std::size_t>(*state.pinned_curve)];
@@ -155,8 +179,9 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::SetNextWindowPos({arrangement.panes.x, arrangement.panes.y});
     ImGui::SetNextWindowSize({arrangement.panes.width, arrangement.panes.height});
-    ImGui::Begin("panes", nullptr, panel_flags() | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                                       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
+    ImGui::Begin("panes", nullptr,
+                 panel_flags() | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     state.under_cursor.reset();
     state.hovered_curve.reset();
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -175,6 +200,7 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
             below = height;
     }
     draw_legends(state, list, fonts, arrangement, below);
+    draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
     ImGui::End();
     ImGui::PopStyleVar();

@@ -69,6 +69,8 @@ void draw_tool_bar(AppState &state, const WindowRect &rect) {
     action_button(state, "view.two", "2", {em(1.8f), 0});
     ImGui::SameLine(0, 1);
     action_button(state, "view.four", "2×2", {em(2.6f), 0});
+    gap();
+    action_button(state, "view.keyhole");
     const float help = em(1.9f), right = ImGui::GetWindowContentRegionMax().x;
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - help));
     action_button(state, "help.keys", "?", {help, 0});

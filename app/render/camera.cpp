@@ -204,4 +204,13 @@ glm::dvec3 view_ray(const Camera &camera, double aspect, double x, double y) {
     return glm::normalize(a.forward + x * aspect * slope * a.right + y * slope * a.up);
 }
 
+std::optional<glm::dvec2> place_in_frame(const Camera &camera, double aspect, const glm::dvec3 &point) {
+    const Axes a = axes(camera);
+    const glm::dvec3 way = point - camera.eye;
+    const double depth = glm::dot(way, a.forward) * std::tan(glm::radians(camera.fov_y) / 2);
+    if (!(depth > 0))
+        return std::nullopt;
+    return glm::dvec2(glm::dot(way, a.right) / (depth * aspect), glm::dot(way, a.up) / depth);
+}
+
 } // namespace penumbra

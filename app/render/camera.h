@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <span>
 
 namespace penumbra {
@@ -52,5 +53,7 @@ glm::dmat4 projection_matrix(const Camera &camera, double aspect, const Bounds &
 
 /// Direction (unit) from the eye through a point of the frame: x, y in [-1, 1], y up.
 glm::dvec3 view_ray(const Camera &camera, double aspect, double x, double y);
+/// Where a point lies in the frame, the reverse of view_ray; none behind the eye.
+std::optional<glm::dvec2> place_in_frame(const Camera &camera, double aspect, const glm::dvec3 &point);
 
 } // namespace penumbra

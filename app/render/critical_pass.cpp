@@ -52,7 +52,8 @@ CriticalPass::CriticalPass() : program_({"space.glsl", "sheet.vert"}, {"sheet.fr
 void CriticalPass::upload(const Snapshot &snapshot, const Spotlight &spotlight) {
     const Bounds box = bounds(snapshot);
     Shapes shapes{box.centre(), std::max(box.size(), 1e-300)};
-    if (snapshot.curves && spotlight.curve >= 0 && static_cast<std::size_t>(spotlight.curve) < snapshot.curves->size()) {
+    if (snapshot.curves && spotlight.curve >= 0 &&
+        static_cast<std::size_t>(spotlight.curve) < snapshot.curves->size()) {
         const SnapshotCurve &c = (*snapshot.curves)[static_cast<std::size_t>(spotlight.curve)];
         kind_ = c.kind;
         if (spotlight.surface) {

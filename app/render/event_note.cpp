@@ -7,8 +7,11 @@ namespace penumbra {
 ImVec2 draw_event_note(ImDrawList *list, const Fonts &fonts, ImVec2 corner, float width, const EventWords &words,
                        ImVec4 colour, Theme theme) {
     const float em = fonts.size, pad = 0.6f * em, bar = 0.3f * em, wrap = width - 2 * pad - bar;
-    const std::string plain = words.sentence + " " + words.jump, symbols = words.symbol + "  \u00b7  " + words.way;
-    const auto size_of = [&](const std::string &text) { return fonts.text->CalcTextSizeA(em, 1e9f, wrap, text.c_str()); };
+    const std::string plain = words.sentence + " " + words.jump,
+                      symbols = words.symbol + (words.way.empty() ? "" : "  \u00b7  " + words.way);
+    const auto size_of = [&](const std::string &text) {
+        return fonts.text->CalcTextSizeA(em, 1e9f, wrap, text.c_str());
+    };
     const ImVec2 first = size_of(plain), second = size_of(symbols);
     const ImVec2 size{std::max(first.x, second.x) + 2 * pad + bar, first.y + second.y + 0.3f * em + 2 * pad};
     if (!list)

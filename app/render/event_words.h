@@ -15,6 +15,10 @@ struct EventWords {
 };
 EventWords event_words(const Snapshot &snapshot, const SnapshotCurve &curve);
 
+/// What has just happened to a point of the receiver that crossed the curve and is now at `here`: the sentence is "A
+/// corner of light went behind an edge of box.", the jump empty.
+EventWords crossing_words(const Snapshot &snapshot, const SnapshotCurve &curve, const Vec3 &here);
+
 /// A surface's name in a sentence: that of its object, or "surface 7".
 std::string surface_name(const Snapshot &snapshot, int surface);
 

@@ -146,7 +146,8 @@ std::string hidden_curves(const Look &look, const std::vector<const Snapshot *> 
     if (snapshots.empty() || !snapshots.front()->curves)
         return {};
     const auto &curves = *snapshots.front()->curves;
-    const auto hidden = std::ranges::count_if(curves, [&](const SnapshotCurve &c) { return !look.curve_filter.shows(c); });
+    const auto hidden =
+        std::ranges::count_if(curves, [&](const SnapshotCurve &c) { return !look.curve_filter.shows(c); });
     return hidden == 0 ? "" : std::to_string(hidden) + " of " + std::to_string(curves.size()) + " curves are hidden";
 }
 

@@ -28,7 +28,8 @@ struct Candidate {
     CurvePick pick;
 };
 
-/// Of a segment between two points as the eye sees them, the part of the way at which its picture passes nearest to `at`.
+/// Of a segment between two points as the eye sees them, the part of the way at which its picture passes nearest to
+/// `at`.
 double nearest_part(const Screen &screen, const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec2 &at,
                     double &distance) {
     const glm::dvec2 from = screen.place(a), way = screen.place(b) - from;

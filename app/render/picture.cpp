@@ -2,6 +2,7 @@
 
 #include "gl/framebuffer.h"
 #include "render/event_note.h"
+#include "render/keyhole_inset.h"
 #include "render/overlay.h"
 #include "render/pane_renderer.h"
 
@@ -16,7 +17,7 @@ struct Layout {
     float text = 15;
     std::vector<PixelRect> cells; ///< of the panes with their labels
     std::vector<PixelRect> views; ///< of the drawing below the label
-    PixelRect note, legend;
+    PixelRect inset, note, legend;
 };
 
 float text_height(const PictureSpec &spec) {
@@ -27,16 +28,16 @@ float text_height(const PictureSpec &spec) {
 
 int n_rows(const PictureSpec &spec) { return (static_cast<int>(spec.panes.size()) + spec.columns - 1) / spec.columns; }
 
-/// Heights of the parts that hold text, which depend on how the text breaks into lines.
-struct TextHeights {
-    int legend = 0, label = 0, note = 0;
+/// Heights of the parts that hold text, which depend on how the text breaks into lines, and the width of the keyhole's.
+struct TextSizes {
+    int legend = 0, label = 0, note = 0, inset = 0;
 };
 
-Layout layout(const PictureSpec &spec, const TextHeights &heights) {
+Layout layout(const PictureSpec &spec, const TextSizes &sizes) {
     Layout result;
     const int gap = spec.panes.size() > 1 ? static_cast<int>(text_height(spec) / 2) : 0, rows = std::max(1, n_rows(spec));
-    const int below = heights.legend + heights.note, label_height = heights.label;
-    const int height = spec.height - below - (rows - 1) * gap, width = spec.width - (spec.columns - 1) * gap;
+    const int below = sizes.legend + sizes.note, label_height = sizes.label;
+    const int height = spec.height - below - (rows - 1) * gap, width = spec.width - sizes.inset - (spec.columns - 1) * gap;
     for (int i = 0; i < static_cast<int>(spec.panes.size()); ++i) {
         const int row = i / spec.columns, column = i % spec.columns;
         const PixelRect cell{column * (width / spec.columns + gap), row * (height / rows + gap), width / spec.columns,
@@ -44,8 +45,9 @@ Layout layout(const PictureSpec &spec, const TextHeights &heights) {
         result.cells.push_back(cell);
         result.views.push_back({cell.x, cell.y + label_height, cell.width, std::max(1, cell.height - label_height)});
     }
-    result.note = {0, spec.height - below, spec.width, heights.note};
-    result.legend = {0, spec.height - heights.legend, spec.width, heights.legend};
+    result.inset = {spec.width - sizes.inset, label_height, sizes.inset, spec.height - below - label_height};
+    result.note = {0, spec.height - below, spec.width, sizes.note};
+    result.legend = {0, spec.height - sizes.legend, spec.width, sizes.legend};
     return result;
 }
 
@@ -78,30 +80,38 @@ const SnapshotCurve *noted_curve(const PictureSpec &spec) {
     return chosen >= 0 && chosen < static_cast<int>(curves.size()) ? &curves[static_cast<std::size_t>(chosen)] : nullptr;
 }
 
-/// What that curve is, above `bottom`; measured only when there is no list. Returns its height.
+/// What that curve is, or the caption, above `bottom`; measured only when there is no list. Returns its height.
 float draw_note(ImDrawList *list, const Fonts &fonts, const PictureSpec &spec, float bottom) {
     const SnapshotCurve *curve = noted_curve(spec);
-    if (!curve)
+    if (!curve && spec.caption.empty())
         return 0;
+    const EventWords words = curve ? event_words(*spec.panes.front().snapshot, *curve)
+                                   : EventWords{spec.caption, "", "measured while this picture was made", ""};
     return draw_event_note(list, fonts, {0.6f * fonts.size, bottom}, static_cast<float>(spec.width) - 1.2f * fonts.size,
-                           event_words(*spec.panes.front().snapshot, *curve), curve_colour(curve->kind), spec.look.theme)
+                           words, curve ? curve_colour(curve->kind) : ImVec4(0.95f, 0.62f, 0.1f, 1), spec.look.theme)
         .y;
 }
 
-TextHeights measure(const PictureSpec &spec, const Fonts &fonts, const std::vector<const Snapshot *> &snapshots) {
-    TextHeights heights;
+/// The keyhole's width with a margin on its right.
+int inset_width(const PictureSpec &spec, const Fonts &fonts) {
+    return spec.keyhole ? static_cast<int>(std::ceil(keyhole_inset_size(fonts, *spec.keyhole).x + 0.6f * fonts.size)) : 0;
+}
+
+TextSizes measure(const PictureSpec &spec, const Fonts &fonts, const std::vector<const Snapshot *> &snapshots) {
+    TextSizes sizes;
+    sizes.inset = inset_width(spec, fonts);
     const float em = fonts.size;
     if (spec.labels)
         for (const PicturePane &pane : spec.panes) {
             PaneLabel label = pane_label(*pane.snapshot, pane.tag);
-            heights.label = std::max(heights.label, static_cast<int>(std::ceil(pane_label_height(fonts, static_cast<float>(spec.width / spec.columns) - em, label))));
+            sizes.label = std::max(sizes.label, static_cast<int>(std::ceil(pane_label_height(fonts, static_cast<float>((spec.width - sizes.inset) / spec.columns) - em, label))));
         }
-    heights.note = static_cast<int>(std::ceil(draw_note(nullptr, fonts, spec, 0)));
+    sizes.note = static_cast<int>(std::ceil(draw_note(nullptr, fonts, spec, 0)));
     if (spec.legend) {
         const float lines = line_legend_size(fonts, 0.52f * static_cast<float>(spec.width), spec.look, snapshots).y;
-        heights.legend = static_cast<int>(std::ceil(std::max(5.1f * em, lines) + 0.7f * em));
+        sizes.legend = static_cast<int>(std::ceil(std::max(5.1f * em, lines) + 0.7f * em));
     }
-    return heights;
+    return sizes;
 }
 
 } // namespace
@@ -111,7 +121,8 @@ double pane_aspect(const PictureSpec &spec) {
     const float em = text_height(spec);
     const auto part = [&](bool there, float lines) { return there ? static_cast<int>(lines * em) : 0; };
     const Layout l = layout(
-        spec, {part(spec.legend, 5.9f), part(spec.labels, 3.4f), part(noted_curve(spec) != nullptr, 3.6f)});
+        spec, {part(spec.legend, 5.9f), part(spec.labels, 3.4f), part(noted_curve(spec) != nullptr || !spec.caption.empty(), 3.6f),
+               inset_width(spec, Fonts{nullptr, nullptr, em})});
     return l.views.empty() ? 1 : l.views.front().aspect();
 }
 
@@ -127,8 +138,8 @@ Image draw_picture(const PictureSpec &spec) {
     const gl::Framebuffer canvas(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 4);
     const gl::Framebuffer picture(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 1);
     Overlay overlay(spec.width, spec.height, text_height(spec));
-    const TextHeights heights = measure(spec, overlay.fonts(), snapshots);
-    const Layout l = layout(spec, heights);
+    const TextSizes sizes = measure(spec, overlay.fonts(), snapshots);
+    const Layout l = layout(spec, sizes);
     const PixelScale scale{overlay.fonts().size / 15.0};
 
     canvas.bind();
@@ -159,6 +170,13 @@ Image draw_picture(const PictureSpec &spec) {
             label.footnote.clear();
             draw_pane_label(list, overlay.fonts(), low, high, label, look.theme);
         }
+    if (spec.keyhole) {
+        for (const PixelRect &view : l.views)
+            draw_keyhole_point(list, overlay.fonts(), corner(view),
+                               {static_cast<float>(view.x + view.width), static_cast<float>(view.y + view.height)},
+                               spec.camera, *spec.keyhole);
+        draw_keyhole_inset(list, overlay.fonts(), corner(l.inset), *spec.keyhole, *snapshots.front(), look.theme);
+    }
     draw_note(&list, overlay.fonts(), spec, static_cast<float>(l.note.y + l.note.height));
     if (spec.legend) {
         const ImVec2 at = corner(l.legend);

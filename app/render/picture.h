@@ -4,6 +4,7 @@
 
 #include "capture.h"
 #include "iteration/snapshot.h"
+#include "measure/keyhole.h"
 #include "render/camera.h"
 #include "render/look.h"
 
@@ -24,6 +25,8 @@ struct PictureSpec {
     int columns = 1;
     Camera camera;      ///< the same in all panes
     Look look;          ///< without a range: common_range() of all panes
+    std::shared_ptr<const Keyhole> keyhole; ///< drawn at the right, its point in all panes; null: none
+    std::string caption; ///< a sentence below the panes, where no curve is in the limelight; empty: none
     double text = 0;    ///< text height [pixels]; 0: from the picture's size
     bool labels = true, legend = true;
 };

@@ -28,6 +28,8 @@ Image panes_picture(const AppState &state, int width, int height) {
     spec.camera = state.camera;
     spec.look = state.look;
     spec.look.emphasise_fresh = false;
+    if (state.keyhole.open)
+        spec.keyhole = state.keyhole.seen;
     spec.look.spotlight.curve = state.pinned_curve.value_or(-1);
     spec.legend = !state.legend_hidden;
     return draw_picture(spec);

@@ -3,6 +3,7 @@
 #include "action.h"
 #include "core/atomic_write.h"
 #include "files/state_text.h"
+#include "keyhole_verbs.h"
 #include "panels/panels.h"
 #include "verbs.h"
 #include "window/take_picture.h"
@@ -115,6 +116,10 @@ double Viewer::wait_time() {
         else if (left > -0.1)
             frames_owed_ = std::max(frames_owed_, 1);
     }
+    if (const double left = crossing_glows(state_, Clock::now()); left > 0)
+        wait = sooner(wait, left + 0.01);
+    else if (drawn_spotlight_ != spotlight(state_))
+        frames_owed_ = std::max(frames_owed_, 1);
     if (canvas_.draft()) {
         if (const double left = rest_seconds - seconds_since(moved_at_); left > 0)
             wait = sooner(wait, left);

@@ -14,6 +14,8 @@ struct Work {
     /// Curves that came within rounding of something when a node was split: ends that the cut moved onto a corner, and
     /// curves not cut along because they run along the cut or along a side.
     std::int64_t snapped_cuts = 0;
+    /// Curves in failing nodes that were not worth a cut there (Options::least_gain).
+    std::int64_t left_out_curves = 0;
 
     Work &operator+=(const Work &o) {
         kernel_evaluations += o.kernel_evaluations;
@@ -21,6 +23,7 @@ struct Work {
         rays += o.rays;
         sampled_visibility += o.sampled_visibility;
         snapped_cuts += o.snapped_cuts;
+        left_out_curves += o.left_out_curves;
         return *this;
     }
 };
@@ -31,9 +34,10 @@ struct Counters {
     int patches = 0;          ///< leaves of surfaces with reflectance > 0
     std::int64_t coefficients = 0; ///< basis functions on these leaves (one set serves the three channels)
     std::int64_t links = 0;
+    int curves = 0;           ///< known so far: of emitters, and of reflectors whose light needed them
     int nodes_at_limit = 0;   ///< nodes that failed the oracle at the depth limit and were kept
     int splits = 0;           ///< nodes split in this iteration
-    int cuts = 0;             ///< of these, along a curve
+    int cuts = 0;             ///< of these, cut: along a curve, or in the best straight line
     bool refined = false;     ///< anything was split or linked in this iteration
     Work work;                ///< of this iteration
     Work total_work;          ///< of all iterations so far

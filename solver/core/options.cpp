@@ -18,6 +18,15 @@ std::string_view name(Strategy strategy) { return namings[static_cast<std::size_
 
 std::string_view title(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].title; }
 
+std::string_view name(CutChoice choice) { return choice == CutChoice::curves ? "curves" : "best"; }
+
+std::optional<CutChoice> cut_choice_from_name(std::string_view text) {
+    for (const CutChoice c : all_cut_choices)
+        if (name(c) == text)
+            return c;
+    return std::nullopt;
+}
+
 std::optional<Strategy> strategy_from_name(std::string_view text) {
     for (const Strategy s : all_strategies)
         if (name(s) == text)

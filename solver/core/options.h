@@ -26,6 +26,16 @@ constexpr bool is_constant(Strategy s) {
     return s == Strategy::uniform_constant || s == Strategy::discontinuity_constant;
 }
 
+/// Where strategies that cut may cut: along discontinuity curves alone, or where no curve is worth it along the straight
+/// line that lowers the error most, too (the paper's outlook, section 6; Campbell & Fussell 1990).
+enum class CutChoice { curves, best };
+
+inline constexpr CutChoice all_cut_choices[] = {CutChoice::curves, CutChoice::best};
+
+/// `curves`, `best`; the public names.
+std::string_view name(CutChoice choice);
+std::optional<CutChoice> cut_choice_from_name(std::string_view name);
+
 struct Options {
     Strategy strategy = Strategy::discontinuity_wavelet;
     /// Polynomials of degree < order in each parameter, 1 to 4; the two constant strategies take 1 whatever stands here.
@@ -35,6 +45,12 @@ struct Options {
     /// Halvings of both directions below a surface's convex part; the paper's experiment allows 6.
     int max_depth = 6;
     int max_iterations = 100;
+    CutChoice cut = CutChoice::curves;
+    /// A curve is cut along if that lowers the fit's root mean square error on the node, taken as the root of what the
+    /// squares lose, by more than this share of the misfit that the oracle lets pass. 0: every curve is a candidate.
+    double least_gain = 0.1;
+    /// Strategies that cut trace the curves of a reflector, too, when a node fails because of its light.
+    bool reflector_curves = true;
     /// 0: all cores.
     int threads = 0;
 

@@ -42,9 +42,11 @@ double hit(const Polygon &figure, const Vec2 &origin, const Vec2 &direction) {
 
 bool sees(const EdgeOnScene &scene, std::span<const Vec2> points, const Vec2 &x) {
     return std::ranges::any_of(directions_between(points, x), [&](const Vec2 &direction) {
+        const double mask = scene.masks.empty() ? 0 : first_hit(scene.masks, x, direction);
+        if (mask == never)
+            return false;
         const double target = first_hit(scene.targets, x, direction);
-        return target < never && first_hit(scene.blockers, x, direction) >= target &&
-               (scene.masks.empty() || first_hit(scene.masks, x, direction) < target);
+        return target < never && mask < target && first_hit(scene.blockers, x, direction) >= target;
     });
 }
 
@@ -91,16 +93,17 @@ void split_between(std::span<const Vec2> points, IntervalSet &line) {
 }
 
 std::vector<Vec2> directions_between(std::span<const Vec2> points, const Vec2 &x) {
-    std::vector<double> angles;
+    // All lie in the upper half-plane, where this grows with the angle: its half's tangent, or cotangent from 2 downwards.
+    const auto turn = [](const Vec2 &d) { return d.x() >= 0 ? d.y() / (1 + d.x()) : 2 - d.y() / (1 - d.x()); };
+    std::vector<Vec2> towards;
     for (const Vec2 &p : points)
-        angles.push_back(std::atan2(p.y(), p.x() - x.x()));
-    std::ranges::sort(angles);
+        if (const Vec2 d = p - x; d.squaredNorm() > 0)
+            towards.push_back(d.normalized());
+    std::ranges::sort(towards, {}, turn);
     std::vector<Vec2> directions;
-    for (std::size_t i = 0; i + 1 < angles.size(); ++i)
-        if (angles[i + 1] - angles[i] >= coincidence) {
-            const double angle = (angles[i] + angles[i + 1]) / 2;
-            directions.emplace_back(std::cos(angle), std::sin(angle));
-        }
+    for (std::size_t i = 0; i + 1 < towards.size(); ++i)
+        if (cross(towards[i], towards[i + 1]) >= coincidence)
+            directions.push_back((towards[i] + towards[i + 1]).normalized());
     return directions;
 }
 

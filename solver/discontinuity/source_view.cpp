@@ -87,6 +87,21 @@ std::vector<Vec3> clip_to_front(std::vector<Vec3> polygon, const Vec3 &origin, c
     return front;
 }
 
+bool face_each_other(const Surface &a, const Surface &b) { return !behind(a.corners, b.frame) && !behind(b.corners, a.frame); }
+
+bool hides(const Surface &blocker, const Surface &receiver, const Surface &source) {
+    const auto side = [&](const Vec3 &x) { return blocker.frame.height(x) > 0; };
+    const bool front = side(receiver.corners[0]);
+    // Most blockers have not even their plane in between.
+    if (std::ranges::any_of(receiver.corners, [&](const Vec3 &x) { return side(x) != front; }) ||
+        std::ranges::any_of(source.corners, [&](const Vec3 &x) { return side(x) == front; }))
+        return false;
+    return std::ranges::any_of(blocker.parts, [&](const Polygon &part) {
+        return spans_shaft(part_in_space(blocker, blocker.corners, part), blocker.frame, receiver.corners,
+                           source.corners);
+    });
+}
+
 bool share_facet(std::span<const std::size_t> a, std::span<const std::size_t> b) {
     return std::ranges::any_of(a, [&](std::size_t f) { return std::ranges::binary_search(b, f); });
 }
@@ -186,13 +201,6 @@ std::vector<SurfaceId> in_shaft(const Scene &scene, const SourceView &view, cons
     return found;
 }
 
-bool spans(const Surface &blocker, const Surface &receiver, const Surface &source) {
-    return std::ranges::any_of(blocker.parts, [&](const Polygon &part) {
-        return spans_shaft(part_in_space(blocker, blocker.corners, part), blocker.frame, receiver.corners,
-                           source.corners);
-    });
-}
-
 void add_blockers(SourceView &view, const Scene &scene, std::span<const SurfaceId> blockers, Outlines &outlines) {
     for (const SurfaceId id : blockers) {
         const Surface &blocker = scene.surface(id);
@@ -250,11 +258,11 @@ void add_sections(SourceView &view, const Outlines &sections) {
 SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers) {
     const Surface &lamp = scene.surface(source), &wall = scene.surface(receiver);
     SourceView view{source, receiver, lamp.frame, wall.frame, {}, {}, {}, {}};
-    if (source == receiver || behind(wall.corners, lamp.frame) || behind(lamp.corners, wall.frame))
+    if (source == receiver || !face_each_other(wall, lamp))
         return view;
     const Shaft shaft(wall.corners, wall.frame, lamp.corners, lamp.frame);
     const std::vector<SurfaceId> between = in_shaft(scene, view, shaft, blockers);
-    if (std::ranges::any_of(between, [&](SurfaceId id) { return spans(scene.surface(id), wall, lamp); }))
+    if (std::ranges::any_of(between, [&](SurfaceId id) { return hides(scene.surface(id), wall, lamp); }))
         return view;
     add_source(view, lamp, wall.frame);
     const std::vector<SightEdge> source_edges = view.edges;

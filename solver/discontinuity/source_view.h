@@ -62,6 +62,12 @@ struct SourceView {
 /// none of the receiver in front of the source, or one blocker hides all of the one from all of the other.
 SourceView source_view(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers);
 
+/// Whether some point of each surface lies in front of the other.
+bool face_each_other(const Surface &a, const Surface &b);
+
+/// Whether the blocker hides all of the source from all of the receiver.
+bool hides(const Surface &blocker, const Surface &receiver, const Surface &source);
+
 /// Whether two ascending lists have a facet in common: then both lie in its plane, however welding bent it, and what
 /// they throw together is the plane's curve.
 bool share_facet(std::span<const std::size_t> a, std::span<const std::size_t> b);

@@ -47,6 +47,8 @@ Interval in_line_with(const Polygon &e, const Polygon &f) {
     return hull;
 }
 
+constexpr double never = Interval{}.high;
+
 class EdgesTracer {
 public:
     EdgesTracer(const SourceView &view, const Wedge &plane, const SightEdge &e, const SightEdge &f,
@@ -69,6 +71,7 @@ public:
     void run(IntervalSet line, const Emit &emit) const {
         if (flat_.targets.empty())
             return;
+        keep_open(line);
         split_between(points_, line);
         std::optional<std::vector<SurfaceId>> growing;
         Interval whole;
@@ -88,6 +91,31 @@ public:
     }
 
 private:
+    /// Distance at which the ray has passed both edges on its way to the source; infinite when it does not.
+    double passed(const Vec2 &x, const Vec2 &direction) const {
+        const double edges = std::max(first_hit(e_, x, direction), first_hit(f_, x, direction));
+        const double target = edges == never ? never : first_hit(flat_.targets, x, direction);
+        return target != never && edges <= target + 2 * coincidence ? target : never;
+    }
+
+    /// Most lines see nothing of the source past both edges, whatever else stands there: only the others pay for the many
+    /// points of that.
+    void keep_open(IntervalSet &line) const {
+        std::vector<Vec2> few;
+        for (const Polygon *edge : {&e_[0], &f_[0]})
+            few.insert(few.end(), edge->begin(), edge->end());
+        for (const Polygon &target : flat_.targets)
+            few.insert(few.end(), target.begin(), target.end());
+        split_between(few, line);
+        const IntervalSet pieces = line;
+        for (const Interval &piece : pieces.intervals()) {
+            const Vec2 x(piece.middle(), 0);
+            if (std::ranges::none_of(directions_between(few, x),
+                                     [&](const Vec2 &direction) { return passed(x, direction) != never; }))
+                line.subtract(piece);
+        }
+    }
+
     void add_grazed(const Facet &facet) {
         const Crossing crossing = cross_facet(plane_, facet);
         if (crossing.n < 2 || crossing.through())
@@ -102,9 +130,8 @@ private:
         const Vec2 x(s, 0);
         std::vector<SurfaceId> all;
         for (const Vec2 &direction : directions_between(points_, x)) {
-            const double target = first_hit(flat_.targets, x, direction), reach = target + 2 * coincidence;
-            if (target == Interval{}.high || first_hit(flat_.blockers, x, direction) < target ||
-                first_hit(e_, x, direction) > reach || first_hit(f_, x, direction) > reach)
+            const double target = passed(x, direction);
+            if (target == never || first_hit(flat_.blockers, x, direction) < target)
                 continue;
             if (const auto blockers = bounding(s, direction))
                 all.insert(all.end(), blockers->begin(), blockers->end());

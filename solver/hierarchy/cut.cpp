@@ -186,10 +186,11 @@ void cut(Forest &forest, ElementId leaf, const CutPlan &plan, int iteration) {
     for (const CutStep &step : plan.steps) {
         const ElementId parent = step.piece == 0 ? leaf : ElementId(first_pieces.index + step.piece - 1);
         const ElementId first(forest.elements.size());
+        const int deeper = step.piece == 0 ? plan.half_depth : 0;
         for (std::size_t c = 0; c < 2; ++c) {
             const Element above = forest[parent];
             const ElementBasis basis(above.basis.order(), step.quads[c]);
-            add_child(forest, parent, step.quads[c], step.sides[c], above.half_depth, above.n_cuts + 1, iteration,
+            add_child(forest, parent, step.quads[c], step.sides[c], above.half_depth + deeper, above.n_cuts + 1, iteration,
                       std::make_shared<const TwoScale>(two_scale(above.basis, basis)));
         }
         forest[parent].first_child = first;

@@ -20,6 +20,7 @@ struct CutStep {
 /// it enters and leaves through neighbouring sides (the extra step of figure 3(b)).
 struct CutPlan {
     std::vector<CutStep> steps;
+    int half_depth = 0; ///< that the children are deeper: 0 for a cut along a curve
     int n_snapped = 0; ///< ends of the line that were moved onto a corner
 
     /// The quads that tile the element when all steps are done.

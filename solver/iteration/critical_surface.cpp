@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace penumbra {
@@ -20,8 +21,9 @@ bool on_outline(const Surface &surface, const TouchedEdge &edge) {
     const std::size_t n = surface.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 &a = surface.corners[i], &b = surface.corners[(i + 1) % n];
-        if (edge.is_corner() ? (a - edge.a).norm() < same_place
-                             : distance_to_line(a, b, edge.a) < same_place && distance_to_line(a, b, edge.b) < same_place)
+        if (edge.is_corner()
+                ? (a - edge.a).norm() < same_place
+                : distance_to_line(a, b, edge.a) < same_place && distance_to_line(a, b, edge.b) < same_place)
             return true;
     }
     return false;
@@ -79,8 +81,24 @@ double parameter(const Vec3 &x, const Vec3 &along, const SnapshotEdge &edge) {
     return (edge.a - x).dot(across) / along.dot(across);
 }
 
-/// As in curve.h, but from those two of three edges whose planes through x cross at the largest angle; none where all
-/// are one plane.
+/// In one plane with all the edges: the middle of the directions that meet each of them.
+std::optional<Vec3> direction_in_plane(const SnapshotCurve &curve, const Vec3 &x) {
+    const SnapshotEdge &first = curve.touched[0];
+    const Vec3 u = ((first.a + first.b) / 2 - x).normalized(), n = (first.a - x).cross(first.b - x).normalized();
+    double low = -std::numbers::pi / 2, high = -low;
+    for (const SnapshotEdge &edge : curve.touched) {
+        const auto angle = [&](const Vec3 &end) { return std::atan2((end - x).dot(n.cross(u)), (end - x).dot(u)); };
+        const auto [from, to] = std::minmax({angle(edge.a), angle(edge.b)});
+        low = std::max(low, from);
+        high = std::min(high, to);
+    }
+    if (!(low < high))
+        return std::nullopt;
+    const double middle = (low + high) / 2;
+    return Vec3(std::cos(middle) * u + std::sin(middle) * n.cross(u));
+}
+
+/// As in curve.h, but from those two of three edges whose planes through x cross at the largest angle.
 std::optional<Vec3> direction(const SnapshotCurve &curve, const Vec3 &x) {
     Vec3 best = Vec3::Zero();
     for (std::size_t i = 0; i < curve.touched.size(); ++i) {
@@ -89,13 +107,14 @@ std::optional<Vec3> direction(const SnapshotCurve &curve, const Vec3 &x) {
             return (one.a - x).normalized();
         for (std::size_t j = 0; j < i; ++j) {
             const SnapshotEdge &other = curve.touched[j];
-            const Vec3 along = (one.a - x).cross(one.b - x).normalized().cross((other.a - x).cross(other.b - x).normalized());
+            const Vec3 along =
+                (one.a - x).cross(one.b - x).normalized().cross((other.a - x).cross(other.b - x).normalized());
             if (along.norm() > best.norm())
                 best = along;
         }
     }
     if (!(best.norm() > 1e-6))
-        return std::nullopt;
+        return direction_in_plane(curve, x);
     return Vec3(best.normalized() * (best.dot(curve.touched[0].a - x) > 0 ? 1 : -1));
 }
 
@@ -136,14 +155,34 @@ std::int32_t seen_edge_on(const Snapshot &snapshot, const SnapshotCurve &curve) 
     return best;
 }
 
-std::vector<Vec3> hull_with(const SnapshotSurface &surface, const std::vector<Vec3> &points) {
-    Polygon all = surface.outline;
+/// Convex hull of points of a plane.
+std::vector<Vec3> hull(const Vec3 &origin, const Vec3 &u, const Vec3 &v, const std::vector<Vec3> &points) {
+    Polygon all;
     for (const Vec3 &p : points)
-        all.emplace_back((p - surface.origin).dot(surface.u), (p - surface.origin).dot(surface.v));
-    std::vector<Vec3> hull;
+        all.emplace_back((p - origin).dot(u), (p - origin).dot(v));
+    std::vector<Vec3> corners;
     for (const Vec2 &p : convex_hull(all))
-        hull.emplace_back(surface.origin + p.x() * surface.u + p.y() * surface.v);
-    return hull;
+        corners.emplace_back(origin + p.x() * u + p.y() * v);
+    return corners;
+}
+
+std::vector<Vec3> hull_with(const SnapshotSurface &surface, std::vector<Vec3> points) {
+    for (const Vec2 &p : surface.outline)
+        points.emplace_back(surface.origin + p.x() * surface.u + p.y() * surface.v);
+    return hull(surface.origin, surface.u, surface.v, points);
+}
+
+/// Of edges that lie in one plane with the curve.
+std::vector<Vec3> hull_with(const SnapshotCurve &curve) {
+    std::vector<Vec3> points = curve.points;
+    for (const SnapshotEdge &edge : curve.touched)
+        points.insert(points.end(), {edge.a, edge.b});
+    const Vec3 u = (curve.points.back() - curve.points.front()).normalized();
+    Vec3 v = Vec3::Zero();
+    for (const Vec3 &p : points)
+        if (const Vec3 off = (p - curve.points.front()) - (p - curve.points.front()).dot(u) * u; off.norm() > v.norm())
+            v = off;
+    return hull(curve.points.front(), u, v.normalized(), points);
 }
 
 } // namespace
@@ -159,6 +198,9 @@ CriticalSurface critical_surface(const Snapshot &snapshot, const SnapshotCurve &
     for (const Vec3 &x : evenly(curve.points, n))
         if (auto sight = line_of_sight(snapshot, curve, x); !sight.empty())
             surface.sights.push_back(std::move(sight));
+    const auto is_corner = [](const SnapshotEdge &edge) { return edge.is_corner(); };
+    if (surface.sights.empty() && std::ranges::none_of(curve.touched, is_corner))
+        surface.sheet = hull_with(curve);
     return surface;
 }
 
@@ -170,7 +212,8 @@ std::vector<SnapshotEdge> touched_edges(const Scene &scene, const Curve &curve) 
         auto owner = std::ranges::find_if(owners, [&](SurfaceId s) { return on_outline(scene.surface(s), edge); });
         if (owner == owners.end())
             owner = std::ranges::find_if(owners, [&](SurfaceId s) { return in_plane(scene.surface(s), edge); });
-        edges.push_back({scene.own.to_own(edge.a), scene.own.to_own(edge.b), owner == owners.end() ? -1 : owner->index});
+        edges.push_back(
+            {scene.own.to_own(edge.a), scene.own.to_own(edge.b), owner == owners.end() ? -1 : owner->index});
     }
     return edges;
 }

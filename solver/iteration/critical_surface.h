@@ -1,5 +1,5 @@
-// The surface of lines of sight that throws a curve: a wedge's plane, a ruled quadric, or the plane of a polygon that is
-// seen edge-on. In the scene's own frame, for drawing.
+// The surface of lines of sight that throws a curve: a wedge's plane, a ruled quadric, or the plane of a polygon that
+// is seen edge-on. In the scene's own frame, for drawing.
 #pragma once
 
 #include "discontinuity/curve.h"
@@ -11,11 +11,14 @@
 namespace penumbra {
 
 struct CriticalSurface {
-    /// Lines of sight, evenly spread along the curve from its one end to the other. Each is a list of as many points: its
-    /// foot on the curve, where it touches an edge or corner (near before far), and where it meets the source's plane.
-    /// The surface is what is swept between neighbours. Empty for the kinds plane and contact.
+    /// Lines of sight, evenly spread along the curve from its one end to the other. Each is a list of as many points:
+    /// its foot on the curve, where it touches an edge or corner (near before far), and where it meets the source's
+    /// plane. The surface is what is swept between neighbours. Empty for the kinds plane and contact, and where the
+    /// touched edges lie in one plane with the curve: then there are as many from each of its points as there are
+    /// points between.
     std::vector<std::vector<Vec3>> sights;
-    /// Of the kind plane: the convex hull of the curve and of the polygon that it sees edge-on, in order; else empty.
+    /// In place of them the convex hull, in order, of the curve and of the polygon that it sees edge-on (kind plane) or
+    /// of the edges in one plane.
     std::vector<Vec3> sheet;
     std::int32_t edge_on = -1; ///< of the kind plane: that polygon's surface
 };

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "core/percent.h"
 #include "iteration/candidates.h"
+#include "iteration/known_curves.h"
 
 #include <algorithm>
 #include <optional>
@@ -39,6 +40,7 @@ class Refinement {
 public:
     Refinement(const Setting &setting, State &state, const Cancel *cancel)
         : setting_(setting), state_(state), scene_(*setting.scene),
+          cancel_(cancel),
           transport_{*setting.scene, *setting.blockers, std::clamp(0.1 * setting.options.threshold, 1e-7, 1e-2), cancel},
           allowed_(setting.options.threshold * state.peak), detail_(dropped_detail(state.forest, state.radiosity)) {
         brightness_.resize(scene_.surfaces.size());
@@ -122,14 +124,17 @@ private:
                 if (judgements_[e][i].verdict == Verdict::fail)
                     failing[e].push_back(state_.interactions[e][i].get());
             Element &element = state_.forest.elements[e];
-            element.at_limit = false;
             if (!failing[e].empty() && element.leaf())
                 to_split.push_back(e);
+            else
+                element.at_limit = false;
         }
+        trace_failing(failing);
         std::vector<std::optional<Split>> splits(to_split.size());
         std::vector<Work> work(to_split.size());
         parallel_for(to_split.size(), [&](std::size_t i) {
-            splits[i] = best_split(setting_, transport_, state_, ElementId(to_split[i]), failing[to_split[i]], work[i]);
+            const ElementId node(to_split[i]);
+            splits[i] = best_split(setting_, transport_, state_, node, failing[node.at()], allowed_, work[i]);
         });
         for (const Work &w : work)
             state_.counters.work += w;
@@ -138,6 +143,18 @@ private:
         inherit_radiosity();
         for (std::size_t e = 0; e < n; ++e)
             hand_down(ElementId(e));
+    }
+
+    /// A reflector whose light a leaf fails to fit brings more than the oracle lets pass: its curves are worth it.
+    void trace_failing(const std::vector<std::vector<const Interaction *>> &failing) {
+        if (!cuts_along_curves(setting_.options.strategy) || !setting_.options.reflector_curves)
+            return;
+        std::vector<LightPath> paths;
+        for (std::size_t e = 0; e < failing.size(); ++e)
+            for (const Interaction *interaction : failing[e])
+                if (state_.forest.elements[e].leaf() && interaction->kind == PairKind::partly_hidden)
+                    paths.push_back({state_.forest.elements[e].surface, interaction->source});
+        trace_paths(scene_, state_, std::move(paths), cancel_);
     }
 
     void apply(ElementId node, const std::optional<Split> &split) {
@@ -164,9 +181,9 @@ private:
                 worst = judgements_[node.at()][i].misfit;
                 source = state_.interactions[node.at()][i]->source;
             }
-        std::string how = "split in four";
+        std::string how = split.cut ? "cut in a straight line" : "split in four";
         if (split.curve) {
-            const Curve &curve = setting_.curves.curve(*split.curve);
+            const Curve &curve = state_.curves->curve(*split.curve);
             how = "cut along the " + std::string(name(curve.kind)) + " curve of " + surface_name(curve.source);
             if (!curve.blockers.empty())
                 how += " and " + surface_name(curve.blockers.front());
@@ -268,6 +285,7 @@ private:
     void count() {
         Counters &c = state_.counters;
         c.patches = c.nodes_at_limit = 0;
+        c.curves = static_cast<int>(state_.curves->curves().size());
         c.coefficients = c.links = 0;
         for (std::size_t e = 0; e < state_.forest.elements.size(); ++e) {
             const Element &element = state_.forest.elements[e];
@@ -290,6 +308,7 @@ private:
     const Setting &setting_;
     State &state_;
     const Scene &scene_;
+    const Cancel *cancel_;
     Transport transport_;
     double allowed_; ///< misfit that passes [W/m2]
     std::vector<double> detail_;

@@ -70,7 +70,7 @@ struct Snapshot {
     std::vector<SnapshotSurface> surfaces;
     std::vector<SnapshotPatch> patches; ///< of all surfaces, dark and emitting ones too
     std::vector<Rgb> coefficients;
-    std::shared_ptr<const std::vector<SnapshotCurve>> curves; ///< of all emitters; the same object in all steps
+    std::shared_ptr<const std::vector<SnapshotCurve>> curves; ///< of all emitters, then of reflectors in the order in which they were needed
     std::vector<SnapshotLink> links;
     double peak = 0;                    ///< largest reflected radiosity B - E, largest channel [W/m2]
     double error = -1;                  ///< relative L2 error against the exact direct solution; negative: not known

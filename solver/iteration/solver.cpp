@@ -1,7 +1,7 @@
 #include "iteration/solver.h"
 
 #include "core/parallel.h"
-#include "discontinuity/trace_curves.h"
+#include "iteration/known_curves.h"
 #include "iteration/state.h"
 #include "iteration/take_snapshot.h"
 #include "measure/direct.h"
@@ -19,7 +19,7 @@ struct Solver::Parts {
 
 namespace {
 
-std::shared_ptr<const State> first_state(const Setting &setting) {
+std::shared_ptr<const State> first_state(const Setting &setting, const Cancel *cancel) {
     auto state = std::make_shared<State>();
     const Scene &scene = *setting.scene;
     state->forest = plant(scene, setting.options.effective_order());
@@ -32,6 +32,8 @@ std::shared_ptr<const State> first_state(const Setting &setting) {
             state->counters.patches += static_cast<int>(state->forest.roots[static_cast<std::size_t>(s)].size());
     const int n = setting.options.effective_order() * setting.options.effective_order();
     state->counters.coefficients = state->counters.patches * n;
+    trace_emitters(scene, *state, cancel);
+    state->counters.curves = static_cast<int>(state->curves->curves().size());
     state->sentence = "only the emitters shine: nothing has been gathered yet";
     return state;
 }
@@ -52,9 +54,7 @@ Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const
     setting.blockers = std::make_unique<const Blockers>(*setting.scene);
     if (cancel)
         cancel->check();
-    setting.curves = CurveIndex(trace_emitter_curves(*setting.scene, cancel), setting.scene->n_surfaces());
-    setting.drawn_curves = draw_curves(setting);
-    parts_->state = first_state(setting);
+    parts_->state = first_state(setting, cancel);
 }
 
 Solver::~Solver() = default;

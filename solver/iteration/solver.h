@@ -17,7 +17,8 @@ struct State; // iteration/state.h; immutable, shares what did not change with t
 /// Results are the same to the last bit for any number of threads.
 class Solver {
 public:
-    /// Keeps the scene. Builds what does not depend on the iteration: blockers and the curves of all emitters.
+    /// Keeps the scene. Builds what does not depend on the iteration: blockers and the curves of all emitters
+    /// (those of reflectors are made while refining).
     Solver(std::shared_ptr<const Scene> scene, const Options &options, const Cancel *cancel = nullptr);
     ~Solver();
     Solver(const Solver &) = delete;

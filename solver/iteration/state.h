@@ -13,13 +13,11 @@
 
 namespace penumbra {
 
-/// What does not change from step to step: the scene with its blockers and its discontinuity curves.
+/// What does not change from step to step: the scene with its blockers.
 struct Setting {
     std::shared_ptr<const Scene> scene;
     Options options;
     std::unique_ptr<const Blockers> blockers;
-    CurveIndex curves; ///< of all emitters
-    std::shared_ptr<const std::vector<SnapshotCurve>> drawn_curves;
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
 };
@@ -31,6 +29,10 @@ struct State {
     Forest forest;
     std::vector<std::vector<std::shared_ptr<const Interaction>>> interactions; ///< by receiver element
     std::vector<std::vector<char>> linked; ///< [receiver surface][source surface]: its root pairs were dealt with
+    /// Curves of all emitters, and of those reflectors whose light needed them; only ever added to, at the end.
+    std::shared_ptr<const CurveIndex> curves;
+    std::shared_ptr<const std::vector<SnapshotCurve>> drawn_curves; ///< the same ones
+    std::vector<std::vector<char>> traced; ///< [receiver surface][source surface]: their curves are there
     Coefficients irradiance;               ///< as gathered, at each level
     Coefficients radiosity;                ///< at each level, the upper ones pulled from the leaves
     double peak = 0;                       ///< largest reflected radiosity B - E, largest channel [W/m2]

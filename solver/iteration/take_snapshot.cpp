@@ -40,7 +40,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
     out->options = setting.options;
     out->phase = state.phase;
     out->counters = state.counters;
-    out->curves = setting.drawn_curves;
+    out->curves = state.drawn_curves;
     out->peak = state.peak;
     out->sentence = state.sentence;
     for (int s = 0; s < scene.n_surfaces(); ++s)
@@ -73,20 +73,16 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
     return out;
 }
 
-std::shared_ptr<const std::vector<SnapshotCurve>> draw_curves(const Setting &setting) {
-    auto out = std::make_shared<std::vector<SnapshotCurve>>();
-    for (const Curve &curve : setting.curves.curves()) {
-        const PlaneFrame &frame = setting.scene->surface(curve.receiver).frame;
-        SnapshotCurve drawn{static_cast<std::int32_t>(curve.kind), curve.order, curve.source.index, curve.receiver.index,
-                            {}, {}};
-        for (const SurfaceId b : curve.blockers)
-            drawn.blockers.push_back(b.index);
-        for (const Vec2 &p : polyline(curve, polyline_accuracy * receiver_size(*setting.scene, curve.receiver)))
-            drawn.points.push_back(setting.scene->own.to_own(frame.to_space(p)));
-        drawn.touched = touched_edges(*setting.scene, curve);
-        out->push_back(std::move(drawn));
-    }
-    return out;
+SnapshotCurve draw_curve(const Scene &scene, const Curve &curve) {
+    const PlaneFrame &frame = scene.surface(curve.receiver).frame;
+    SnapshotCurve drawn{static_cast<std::int32_t>(curve.kind), curve.order, curve.source.index, curve.receiver.index,
+                        {}, {}};
+    for (const SurfaceId b : curve.blockers)
+        drawn.blockers.push_back(b.index);
+    for (const Vec2 &p : polyline(curve, polyline_accuracy * receiver_size(scene, curve.receiver)))
+        drawn.points.push_back(scene.own.to_own(frame.to_space(p)));
+    drawn.touched = touched_edges(scene, curve);
+    return drawn;
 }
 
 } // namespace penumbra

@@ -8,7 +8,7 @@ namespace penumbra {
 /// Everything but the error.
 std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state);
 
-/// The curves as polylines in the scene's own frame.
-std::shared_ptr<const std::vector<SnapshotCurve>> draw_curves(const Setting &setting);
+/// A curve as a polyline in the scene's own frame.
+SnapshotCurve draw_curve(const Scene &scene, const Curve &curve);
 
 } // namespace penumbra

@@ -25,9 +25,9 @@ struct KeyholeCorner {
     Vec3 on_emitter; ///< scene's own frame
 };
 
-/// One emitter as the point sees it, in perspective: a point y lies at (r . right, r . up) / (r . ahead) with r = y - x,
-/// `ahead` towards the emitter's centre. The picture turns as little as it can while the point moves: an emitter that is
-/// looked at straight has the scene's up upward (a level one, the x axis to the right).
+/// One emitter as the point sees it, in perspective: a point y lies at (r . right, r . up) / (r . ahead) with r = y -
+/// x, `ahead` towards the emitter's centre. The picture turns as little as it can while the point moves: an emitter
+/// that is looked at straight has the scene's up upward (a level one, the x axis to the right).
 struct KeyholeEmitter {
     Vec2 low, high;                      ///< the picture's frame: the emitter with a margin, square
     KeyholeFigure whole;                 ///< the emitter with nothing before it, above the receiver's horizon
@@ -40,8 +40,8 @@ struct KeyholeEmitter {
 
 struct Keyhole {
     SurfaceId surface;
-    Vec3 point;                            ///< scene's own frame
-    std::vector<KeyholeEmitter> emitters;  ///< that the point is in front of, the brightest first; empty under a cover
+    Vec3 point;                           ///< scene's own frame
+    std::vector<KeyholeEmitter> emitters; ///< that the point is in front of, the brightest first; empty under a cover
 };
 
 /// Looks from anywhere in one scene. Immutable; keeps the scene.
@@ -49,11 +49,12 @@ class KeyholeEye {
 public:
     explicit KeyholeEye(std::shared_ptr<const Scene> scene);
 
-    /// From the point of the surface's plane nearest to `point` (scene's own frame). Visible parts, shares and irradiances
-    /// are exact, as in direct.h; tests/agreement checks them against rays and the corners against visible_shape.h.
+    /// From the point of the surface's plane nearest to `point` (scene's own frame). Visible parts, shares and
+    /// irradiances are exact, as in direct.h; tests/agreement checks them against rays and the corners against
+    /// visible_shape.h.
     Keyhole look(SurfaceId surface, const Vec3 &point) const;
-    /// The reflecting surface that holds the point (own frame) to within `slack` of the scene's size, the one whose plane is
-    /// nearest; none where there is no such surface.
+    /// The reflecting surface that holds the point (own frame) to within `slack` of the scene's size, the one whose
+    /// plane is nearest; none where there is no such surface.
     SurfaceId surface_at(const Vec3 &point, double slack) const;
 
 private:

@@ -83,7 +83,8 @@ TEST_P(KeyholeOf, SharesAgreeWithRays) {
                     const Vec3 y = source.frame.to_space(p);
                     seen += receiver.frame.height(y) > 0 && reference::sees(*scene, x, y) ? 1 : 0;
                 }
-            EXPECT_NEAR(emitter.share, seen / all, 0.01) << "surface " << place.surface.index << " at " << x.transpose();
+            EXPECT_NEAR(emitter.share, seen / all, 0.01)
+                << "surface " << place.surface.index << " at " << x.transpose();
         }
     }
 }

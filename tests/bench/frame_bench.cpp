@@ -31,6 +31,7 @@ struct Case {
     const char *scene;
     Strategy strategy;
     double threshold;
+    int curve = -1; ///< in the limelight, with its critical surface
 };
 
 /// Of the whole process, as in the window; null where there is no GL.
@@ -92,9 +93,11 @@ void frames(benchmark::State &state, const Case &c, int samples, bool solving) {
     if (samples > 1)
         sampled.emplace(width, height, gl::Framebuffer::Colour::srgb8, samples);
     Camera camera = first_view(*scene, *snapshot, static_cast<double>(width) / height);
+    Look look;
+    look.spotlight.curve = c.curve;
     const auto draw = [&] {
         (sampled ? *sampled : kept).bind();
-        renderer.draw(camera, Look{}, {0, 0, width, height}, height);
+        renderer.draw(camera, look, {0, 0, width, height}, height);
         if (sampled)
             kept.resolve(*sampled);
         glFinish();
@@ -145,8 +148,11 @@ const bool registered = [] {
     for (const Strategy strategy : all_strategies)
         cases.push_back({"figure-4", strategy, 0.02});
     cases.push_back({"cornell-box", Strategy::discontinuity_wavelet, 0.02});
+    for (const int curve : {-1, 60})
+        cases.push_back({"skew-blockers", Strategy::discontinuity_wavelet, 0.02, curve});
     for (const Case &c : cases) {
-        const std::string of = "/" + std::string(c.scene) + "/" + std::string(name(c.strategy));
+        const std::string of = "/" + std::string(c.scene) + "/" + std::string(name(c.strategy)) +
+                               (c.curve >= 0 ? "/critical_surface" : "");
         for (const int samples : {1, 4})
             for (const bool solving : {false, true}) {
                 const std::string title =

@@ -96,10 +96,10 @@ TEST(Completeness, StackedAndTouchingBoxes) {
         text.box((low + high) / 2, Eigen::Matrix3d((high - low).asDiagonal()) / 2, "black");
     };
     box({-0.5, -0.5, 0}, {0, 0, 0.5});
-    box({0, -0.25, 0}, {0.5, 0.25, 0.5});    // touches the first along part of a face
+    box({0, -0.25, 0}, {0.5, 0.25, 0.5});       // touches the first along part of a face
     box({-0.25, -0.75, 0.5}, {0.25, 0.1, 0.8}); // on both, overhanging
-    box({0.5, 0.25, 0}, {0.8, 0.6, 0.5});    // touches the second along an edge
-    box({0.6, 0.1, 0.5}, {1, 0.4, 0.6});     // crosses its upper edges
+    box({0.5, 0.25, 0}, {0.8, 0.6, 0.5});       // touches the second along an edge
+    box({0.6, 0.1, 0.5}, {1, 0.4, 0.6});        // crosses its upper edges
     expect_complete(check_scene(text.scene(), 40));
 }
 
@@ -159,6 +159,21 @@ TEST(Completeness, Pierced) { expect_complete(check_scene(open_scene("pierced"),
 TEST(Completeness, ThreeBlockers) { expect_complete(check_scene(open_scene("three-blockers"), 20)); }
 TEST(Completeness, NextRoom) { expect_complete(check_scene(open_scene("next-room"), 20)); }
 TEST(Completeness, Table) { expect_complete(check_scene(open_scene("table"), 20)); }
+/// The lamp of one room on its floor: among desk, chair and cabinet, with an open door.
+TEST(Completeness, OfficeFloor) {
+    const Scene scene = open_scene("office");
+    const auto named = [&](const std::string &name) {
+        return SurfaceId(
+            static_cast<int>(std::ranges::find(scene.surfaces, name, &Surface::name) - scene.surfaces.begin()));
+    };
+    const CheckedPair pair(scene, named("light_1"), named("floor_1"));
+    Tally tally;
+    std::mt19937 random(1);
+    pair.look_for_changes(6, random, tally);
+    pair.walk_curves(6, tally);
+    expect_complete(tally);
+}
+
 TEST(Completeness, VenetianBlinds) { expect_complete(check_scene(open_scene("venetian-blinds"), 40)); }
 TEST(Completeness, BoxOnFloor) { expect_complete(check_scene(open_scene("box-on-floor"), 20)); }
 

@@ -101,6 +101,42 @@ TEST(Golden, WedgeOfACornerAndAnEdgeWithTheOtherKindsHidden) {
     expect_golden("wedge", spec);
 }
 
+/// Two lamps: one half hidden, with a concave visible part, one whole.
+TEST(Golden, KeyholeOfTwoLamps) {
+    PictureSpec spec = picture_of(synthetic::two_events());
+    auto keyhole = std::make_shared<Keyhole>();
+    keyhole->surface = SurfaceId(0);
+    keyhole->point = {0.3, 0.1, 0};
+    const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const auto outline = [](const Polygon &p) {
+        std::vector<std::pair<Vec2, Vec2>> edges;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            edges.emplace_back(p[i], p[(i + 1) % p.size()]);
+        return edges;
+    };
+    KeyholeEmitter half;
+    half.low = {-1.4, -1.4};
+    half.high = {1.4, 1.4};
+    half.whole = {1, {square}, outline(square)};
+    half.visible = {{{-1, -1}, {0, -1}, {0, 1}, {-1, 1}}, {{0, 0.2}, {1, 0.2}, {1, 1}, {0, 1}}};
+    const Polygon blocker{{0, -2}, {2, -2}, {2, 0.2}, {0, 0.2}};
+    half.blockers = {{2, {blocker}, outline(blocker)}};
+    for (const Vec2 &p : {Vec2(-1, -1), Vec2(0, -1), Vec2(0, 0.2), Vec2(1, 0.2), Vec2(1, 1), Vec2(-1, 1)})
+        half.corners.push_back({p, {0.5 * p.x(), 0.5 * p.y(), 2}});
+    half.share = 0.7;
+    half.irradiance = Rgb(3.21, 2.5, 1.75);
+    KeyholeEmitter whole = half;
+    whole.visible = {square};
+    whole.blockers.clear();
+    whole.corners.clear();
+    whole.share = 1;
+    whole.irradiance = Rgb::Constant(1.25);
+    keyhole->emitters = {half, whole};
+    spec.keyhole = keyhole;
+    spec.camera = default_view(*spec.panes[0].snapshot, pane_aspect(spec));
+    expect_golden("keyhole", spec);
+}
+
 // The control: what a careless change would do must not pass for the baseline.
 TEST(Golden, ControlsFail) {
     const Offscreen context;

@@ -124,6 +124,52 @@ TEST_F(PictureCommands, RenderShowsOneCurveAndHidesOthers) {
     EXPECT_FALSE(fs::exists(folder / "a.png"));
 }
 
+TEST_F(PictureCommands, PanesChosenStandSideBySide) {
+    ASSERT_EQ(run("render soft-shadow --panes d,c --threshold 0.02 --size 640x480 -o two.png"), 0) << text(folder / ".err");
+    EXPECT_EQ(state("two.png")["strategies"], nlohmann::json::array({"discontinuity-wavelet", "uniform-wavelet"}));
+    EXPECT_EQ(state("two.png")["layout"], "two");
+    for (const char *wrong : {"c,", ",c", "cd", "c,e", "c d", "\"\""})
+        EXPECT_EQ(run(std::string("render soft-shadow -o a.png --panes ") + wrong), 2) << wrong;
+}
+
+/// The price of cutting where it does not pay, as the picture in the README tells it.
+TEST_F(PictureCommands, SoftShadowsAreNotWorthCutting) {
+    const auto solve = [&](const std::string &strategy) {
+        EXPECT_EQ(run("solve soft-shadow --threshold 0.001 -o " + strategy + ".json --strategy " + strategy), 0);
+        return nlohmann::json::parse(text(folder / (strategy + ".json")))["final"];
+    };
+    const nlohmann::json uniform = solve("uniform-wavelet"), cut = solve("discontinuity-wavelet");
+    EXPECT_LE(uniform["error"].get<double>(), cut["error"].get<double>());
+    EXPECT_LE(uniform["coefficients"].get<int>(), cut["coefficients"].get<int>());
+    EXPECT_LT(2 * uniform["clips"].get<int>(), cut["clips"].get<int>());
+}
+
+TEST_F(PictureCommands, RenderLooksThroughTheKeyhole) {
+    const std::string common = "render skew-blockers --size 640x480 --steps 0 ";
+    ASSERT_EQ(run(common + "-o plain.png"), 0) << text(folder / ".err");
+    ASSERT_EQ(run(common + "-o keyhole.png --keyhole \"0.5 -0.45 0\""), 0) << text(folder / ".err");
+    // Light on night, in a column at the right.
+    const auto bright = [](const Image &image) {
+        std::size_t n = 0;
+        for (std::size_t y = 0; y < 480; ++y)
+            for (std::size_t x = 400; x < 640; ++x) {
+                const std::uint8_t *rgb = &image.rgb[3 * (640 * y + x)];
+                n += rgb[0] == 255 && rgb[1] == 243 && rgb[2] == 208 ? 1 : 0;
+            }
+        return n;
+    };
+    EXPECT_EQ(bright(read_png(folder / "plain.png")), 0u);
+    EXPECT_GT(bright(read_png(folder / "keyhole.png")), 1500u);
+    const nlohmann::json point = state("keyhole.png")["keyhole"];
+    EXPECT_NEAR(point[0].get<double>(), 0.5, 1e-12);
+    EXPECT_NEAR(point[1].get<double>(), -0.45, 1e-12);
+    EXPECT_EQ(state("plain.png")["keyhole"], nullptr);
+    EXPECT_EQ(run(common + "-o a.png --keyhole \"0 0 1\""), 3);
+    EXPECT_THAT(text(folder / ".err"), testing::HasSubstr("no surface that reflects"));
+    EXPECT_EQ(run(common + "-o a.png --keyhole \"0 0\""), 2);
+    EXPECT_FALSE(fs::exists(folder / "a.png"));
+}
+
 TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
     for (const char *wrong :
          {"render figure-4", "render -o a.png", "render figure-4 -o a.png --size 0x10", "render figure-4 -o a.png --size 10",

@@ -48,6 +48,7 @@ const std::map<std::string, Expected> &expectations() {
         {"view.brighter", {"/exposure", 0.5, {"view.exposure_0"}}},
         {"view.darker", {"/exposure", -0.5, {"view.exposure_0"}}},
         {"view.exposure_0", {"/exposure", 0.0, {"view.exposure_0", "view.brighter"}}},
+        {"view.keyhole", {"/looking/open", true, {}}},
         {"view.panels", {"/panels_hidden", true, {}}},
         {"view.theme", {"/background", "light", {}}},
         {"view.larger", {"/ui_scale", nullptr, {}}},
@@ -67,7 +68,7 @@ const std::map<std::string, Expected> &expectations() {
 }
 
 /// Left again afterwards by the same key, so that it can't disturb what follows.
-const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme",
+const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme", "view.keyhole",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
                                      "layers.false_colour", "layers.legend", "help.keys"};
 

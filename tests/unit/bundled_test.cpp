@@ -41,7 +41,8 @@ TEST(Bundled, AllAreThereWithDescriptionAndView) {
     }
     EXPECT_THAT(names, testing::UnorderedElementsAre("figure-4", "slanted-edge", "cornell-box", "furnace",
                                                      "skew-blockers", "box-on-floor", "stairs", "venetian-blinds",
-                                                     "table", "next-room", "pierced", "three-blockers", "office"));
+                                                     "table", "next-room", "pierced", "three-blockers", "office",
+                                                     "soft-shadow"));
 }
 
 TEST(Bundled, NothingNeedsMendingButTheCornellBox) {

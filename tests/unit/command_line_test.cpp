@@ -61,7 +61,7 @@ TEST_F(CommandLine, WrongUseIsTwoAndOneLine) {
     for (const char *wrong : {"solve", "solve figure-4 --order 5", "solve figure-4 --order x", "solve figure-4 --bogus",
                               "solve figure-4 --strategy best", "solve figure-4 --threshold 0",
                               "solve figure-4 --threshold nan", "solve figure-4 more", "solve figure-4 --probe p.csv",
-                              "solve figure-4 --max-depth -1", "curves figure-4", "solve figure-4 --up w"}) {
+                              "solve figure-4 --max-depth -1", "solve figure-4 --cut all", "curves figure-4", "solve figure-4 --up w"}) {
         const Result result = run(wrong);
         EXPECT_EQ(result.status, 2) << wrong;
         EXPECT_THAT(result.err, StartsWith("penumbra: ")) << wrong;
@@ -136,6 +136,19 @@ TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
     EXPECT_EQ(json["final"]["converged"], true);
     EXPECT_EQ(json["diagnostics"]["non_finite"], 0);
     EXPECT_TRUE(json["tolerance"].is_null());
+}
+
+TEST_F(CommandLine, TheRecordSaysHowItWasCut) {
+    const auto cuts = [&](const std::string &options) {
+        EXPECT_EQ(run("solve figure-4 --threshold 0.01 -o r.json" + options).status, 0);
+        const auto json = record("r.json");
+        EXPECT_GE(json["final"]["snapped_cuts"], 0);
+        EXPECT_GE(json["final"]["left_out_curves"], 0);
+        return json["cut"];
+    };
+    EXPECT_EQ(cuts(""), "curves");
+    EXPECT_EQ(cuts(" --cut curves"), "curves");
+    EXPECT_EQ(cuts(" --cut best"), "best");
 }
 
 TEST_F(CommandLine, TheRecordGoesToStandardOutputUnlessNamed) {

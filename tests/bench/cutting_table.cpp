@@ -1,0 +1,69 @@
+// cutting_table [THRESHOLD]: what cutting does on several scenes, as a table in Markdown. Errors are relative L2 errors
+// of B - E: against the exact direct solution where light bounces once, else against a solution with a tenth of the
+// threshold and two more levels.
+#include "solved.h"
+
+#include "iteration/state.h"
+#include "reference/solution.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+using namespace penumbra;
+
+namespace {
+
+struct Way {
+    const char *title;
+    Strategy strategy;
+    CutChoice cut;
+    bool reflector_curves;
+};
+
+constexpr Way ways[] = {{"uniform", Strategy::uniform_wavelet, CutChoice::curves, false},
+                        {"emitters' curves", Strategy::discontinuity_wavelet, CutChoice::curves, false},
+                        {"curves", Strategy::discontinuity_wavelet, CutChoice::curves, true},
+                        {"best", Strategy::discontinuity_wavelet, CutChoice::best, true}};
+
+void add_rows(const char *name, double threshold) {
+    const auto scene = bundled(name);
+    std::shared_ptr<const State> reference;
+    if (!has_one_bounce(*scene)) {
+        Options options = options_of(Strategy::discontinuity_wavelet, threshold / 10);
+        options.max_depth += 2;
+        Solver solver(scene, options);
+        solver.run();
+        reference = solver.state();
+    }
+    for (const Way &way : ways) {
+        if (!reference && way.strategy == Strategy::discontinuity_wavelet && !way.reflector_curves)
+            continue; // nothing that reflects lights anything
+        Options options = options_of(way.strategy, threshold);
+        options.cut = way.cut;
+        options.reflector_curves = way.reflector_curves;
+        Solver solver(scene, options);
+        solver.run();
+        const Counters &c = solver.counters();
+        const double error = reference ? reference::root_mean_square_difference(*scene, *solver.state(), *reference) /
+                                             reference::root_mean_square_reflected(*scene, *reference)
+                                       : solver.snapshot(true)->error;
+        std::printf("| %s | %s | %d | %.2f %% | %.3f | %ld | %d | %d |\n", name, way.title, c.patches, 100 * error,
+                    c.seconds, static_cast<long>(c.total_work.kernel_evaluations), c.nodes_at_limit, c.curves);
+        std::fflush(stdout);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    const double threshold = argc > 1 ? std::atof(argv[1]) : 0.01;
+    std::printf(
+        "| scene, threshold %g | cuts | patches | error | seconds | kernel evaluations | at the limit | curves |\n"
+        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+        threshold);
+    for (const char *scene :
+         {"figure-4", "slanted-edge", "skew-blockers", "box-on-floor", "stairs", "cornell-box", "next-room"})
+        add_rows(scene, threshold);
+}
