@@ -52,7 +52,11 @@ std::vector<std::string> cut_choices() {
 
 } // namespace
 
-Vec3 SolvingOptions::up_vector() const { return up == "x" ? Vec3::UnitX() : up == "y" ? Vec3::UnitY() : Vec3::UnitZ(); }
+std::optional<Vec3> SolvingOptions::up_vector() const {
+    if (up.empty())
+        return std::nullopt;
+    return up == "x" ? Vec3::UnitX() : up == "y" ? Vec3::UnitY() : Vec3::UnitZ();
+}
 
 void add_common_options(CLI::App &parser, CommonOptions &common, const std::string &output) {
     parser.add_option("-o,--output", common.output, output);
@@ -61,14 +65,13 @@ void add_common_options(CLI::App &parser, CommonOptions &common, const std::stri
 }
 
 void add_scene_options(CLI::App &parser, SolvingOptions &solving) {
-    parser.add_option("SCENE", solving.scene, "An OBJ file, or the name of a bundled scene")->required();
+    parser.add_option("SCENE", solving.scene, "An OBJ or glTF file, or the name of a bundled scene")->required();
     add_up_option(parser, solving);
 }
 
 void add_up_option(CLI::App &parser, SolvingOptions &solving) {
-    parser.add_option("--up", solving.up, "The scene's up axis: x, y or z")
-        ->check(CLI::IsMember({"x", "y", "z"}))
-        ->capture_default_str();
+    parser.add_option("--up", solving.up, "The scene's up axis: x, y or z (z for OBJ, y for glTF)")
+        ->check(CLI::IsMember({"x", "y", "z"}));
 }
 
 void add_solving_options(CLI::App &parser, SolvingOptions &solving) {

@@ -15,12 +15,12 @@ struct Scene;
 
 struct SolvingOptions {
     std::string scene; ///< a file or a bundled scene's name
-    std::string up = "z";
+    std::string up; ///< empty: the format's own
     Options options;
     std::optional<double> time_limit; ///< [s]
     std::string probe, probe_output;  ///< empty: none
 
-    Vec3 up_vector() const;
+    std::optional<Vec3> up_vector() const;
 };
 
 struct CommonOptions {

@@ -13,7 +13,7 @@ namespace penumbra {
 namespace {
 
 int run(const SolvingOptions &solving, ViewerSetup setup) {
-    const Vec3 up = solving.up_vector();
+    const std::optional<Vec3> up = solving.up_vector();
     setup.read_scene = [up](const std::string &name) {
         return std::make_shared<const Scene>(open_scene(name, up));
     };
@@ -33,7 +33,7 @@ Command add_view(CLI::App &root) {
     const auto solving = std::make_shared<SolvingOptions>();
     const auto setup = std::make_shared<ViewerSetup>();
     solving->scene = "figure-4";
-    parser->add_option("FILE", solving->scene, "An OBJ file, or the name of a bundled scene");
+    parser->add_option("FILE", solving->scene, "An OBJ or glTF file, or the name of a bundled scene");
     add_up_option(*parser, *solving);
     add_solving_options(*parser, *solving);
     // For tests, and so not in the help.

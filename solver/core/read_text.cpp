@@ -30,7 +30,7 @@ std::string_view without_comment(std::string_view line) {
 
 } // namespace
 
-std::string read_text(const std::filesystem::path &file, std::size_t limit) {
+std::string read_bytes(const std::filesystem::path &file, std::size_t limit) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         throw BadInput(file.string() + ": is a folder; give a file");
@@ -53,16 +53,21 @@ std::string read_text(const std::filesystem::path &file, std::size_t limit) {
     }
     if (std::ferror(in.get()))
         throw BadInput(file.string() + ": cannot be read: " + std::strerror(errno));
+    return text;
+}
+
+std::string read_text(const std::filesystem::path &file, std::size_t limit) {
+    std::string text = read_bytes(file, limit);
     if (const std::size_t at = text.find('\0'); at != text.npos)
         throw BadInput(file.string() + ": is not a text file (byte " + std::to_string(at) +
                        " is zero); give an uncompressed text file");
     return text;
 }
 
-std::vector<TextLine> lines_of(std::string_view text) {
+void for_each_line(std::string_view text, const std::function<void(const TextLine &)> &take) {
     if (text.starts_with("\xEF\xBB\xBF"))
         text.remove_prefix(3);
-    std::vector<TextLine> lines;
+    TextLine pending; // may be continued; number 0: none
     bool joined = false;
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
@@ -76,11 +81,22 @@ std::vector<TextLine> lines_of(std::string_view text) {
         if (goes_on)
             line = trimmed(line.substr(0, line.size() - 1));
         if (joined)
-            lines.back().text.append(" ").append(line);
+            pending.text.append(" ").append(line);
         else if (!line.empty())
-            lines.push_back({number, std::string(line)});
-        joined = goes_on && !lines.empty() && (joined || !line.empty());
+            pending = {number, std::string(line)};
+        joined = goes_on && (joined || !line.empty());
+        if (!joined && pending.number > 0) {
+            take(pending);
+            pending.number = 0;
+        }
     }
+    if (pending.number > 0)
+        take(pending);
+}
+
+std::vector<TextLine> lines_of(std::string_view text) {
+    std::vector<TextLine> lines;
+    for_each_line(text, [&](const TextLine &line) { lines.push_back(line); });
     return lines;
 }
 

@@ -62,8 +62,8 @@ Scene build_scene(RawScene raw) {
         return scene.materials[static_cast<std::size_t>(s.material)].exitance.maxCoeff() > 0;
     });
     if (dark) // first, as it is what a black picture asks for
-        scene.notes.insert(scene.notes.begin(), scene.file.string() + ": nothing emits (no face's material has a Ke above "
-                                                                      "0): the scene is dark");
+        scene.notes.insert(scene.notes.begin(), scene.file.string() + ": nothing emits (no face's material has a " +
+                                                  raw.exitance_key + " above 0): the scene is dark");
     return scene;
 }
 

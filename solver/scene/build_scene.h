@@ -21,6 +21,7 @@ struct RawScene {
     std::vector<RawFace> faces;
     Vec3 up = Vec3::UnitZ();
     std::vector<std::string> notes;
+    std::string reflectance_key = "Kd", exitance_key = "Ke"; ///< what the file calls them, for messages
 };
 
 /// Checks, mends and normalises. Throws BadInput (not finite, index out of range, a polygon that crosses itself,

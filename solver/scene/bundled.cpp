@@ -2,21 +2,36 @@
 
 #include "core/error.h"
 #include "scene/obj_header.h"
+#include "scene/read_gltf.h"
 #include "scene/read_obj.h"
+
+#include <algorithm>
+#include <cctype>
 
 namespace penumbra {
 
 std::string BundledScene::description() const { return read_obj_header(obj).description; }
 
-Scene open_scene(const std::string &name, const Vec3 &up) {
+namespace {
+
+bool is_gltf(const std::filesystem::path &file) {
+    std::string suffix = file.extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return suffix == ".gltf" || suffix == ".glb";
+}
+
+} // namespace
+
+Scene open_scene(const std::string &name, const std::optional<Vec3> &up) {
     std::error_code none;
     if (std::filesystem::exists(name, none))
-        return read_obj(name, up);
+        return is_gltf(name) ? read_gltf(name, up.value_or(Vec3::UnitY())) : read_obj(name, up.value_or(Vec3::UnitZ()));
     std::string known;
     for (const BundledScene &scene : bundled_scenes()) {
         if (scene.name == name)
             return read_obj_text(
-                name + ".obj", scene.obj, [&](const std::string &) { return std::string(scene.mtl); }, up);
+                name + ".obj", scene.obj, [&](const std::string &) { return std::string(scene.mtl); },
+                up.value_or(Vec3::UnitZ()));
         known += (known.empty() ? "" : ", ") + std::string(scene.name);
     }
     throw BadInput(name + ": there is no such file; the bundled scenes are " + known);

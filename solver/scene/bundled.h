@@ -18,7 +18,9 @@ struct BundledScene {
 std::span<const BundledScene> bundled_scenes();
 
 /// What `name` stands for in every command: the file of that name where there is one, else the bundled scene. Throws
-/// BadInput as read_obj does, and names the bundled scenes when there is neither.
-Scene open_scene(const std::string &name, const Vec3 &up = Vec3::UnitZ());
+/// BadInput as read_obj and read_gltf do, and names the bundled scenes when there is neither.
+/// Which reader a file asks for its name's end says: .gltf and .glb, else OBJ. `up`: the format's own (OBJ z, glTF y)
+/// unless given.
+Scene open_scene(const std::string &name, const std::optional<Vec3> &up = std::nullopt);
 
 } // namespace penumbra

@@ -1,9 +1,11 @@
 #include "scene/covers.h"
 
+#include "core/error.h"
 #include "geometry/convex_pieces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numeric>
 #include <utility>
 
@@ -85,8 +87,9 @@ bool back_to_back(const Surface &a, const Surface &b) {
            std::abs(a.area - b.area) <= coplanar_within * perimeter(a.outline);
 }
 
-/// Indices i < j, ascending, of surfaces whose boxes meet: a sweep along x.
-std::vector<std::pair<std::size_t, std::size_t>> meeting_pairs(const Scene &scene) {
+/// Indices i < j, ascending, of surfaces of different faces in one plane whose boxes meet: a sweep along x.
+std::vector<std::pair<std::size_t, std::size_t>> coplanar_pairs(const Scene &scene) {
+    std::size_t n_parts = 0;
     std::vector<Box> boxes;
     for (const Surface &surface : scene.surfaces)
         boxes.push_back(box_of(surface));
@@ -99,8 +102,15 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_pairs(const Scene &scen
             const Box &a = boxes[by_x[k]], &b = boxes[by_x[l]];
             if (b.low.x() > a.high.x() + coplanar_within)
                 break;
-            if (a.meets(b))
-                pairs.push_back(std::minmax(by_x[k], by_x[l]));
+            const Surface &s = scene.surfaces[by_x[k]], &t = scene.surfaces[by_x[l]];
+            if (!a.meets(b) || s.face == t.face || !coplanar(s, t))
+                continue;
+            if ((n_parts += s.parts.size() * t.parts.size()) > most_coplanar_pairs)
+                throw BadInput(
+                    fmt::format("{}: too many faces lie on each other in one plane (more than {} pairs of convex "
+                                "parts); remove the duplicates",
+                                scene.file.string(), most_coplanar_pairs));
+            pairs.push_back(std::minmax(by_x[k], by_x[l]));
         }
     std::ranges::sort(pairs);
     return pairs;
@@ -109,10 +119,8 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_pairs(const Scene &scen
 } // namespace
 
 void find_covers(Scene &scene) {
-    for (const auto &[i, j] : meeting_pairs(scene)) {
+    for (const auto &[i, j] : coplanar_pairs(scene)) {
         Surface &a = scene.surfaces[i], &b = scene.surfaces[j];
-        if (a.face == b.face || !coplanar(a, b))
-            continue;
         const bool opposite = a.frame.normal.dot(b.frame.normal) < 0;
         if (opposite && back_to_back(a, b))
             continue;

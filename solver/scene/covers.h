@@ -8,6 +8,9 @@ namespace penumbra {
 /// Surfaces lie in one plane when no corner of either is farther than this from the other's (unit size).
 inline constexpr double coplanar_within = 1e-9;
 
+/// Largest number of pairs of convex parts that may lie in one plane with boxes that meet; beyond it, BadInput.
+inline constexpr std::size_t most_coplanar_pairs = 4'000'000;
+
 /// Fills `covers` of all surfaces. Where two surfaces overlap in one plane and face the same way, the emitter, else the
 /// later, lies on top and covers the other; where they face each other's way, each covers the other. The two sides of
 /// one double-sided face never do, be they one face of the file or two with the same corners, back to back; nor do

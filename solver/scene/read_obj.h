@@ -13,6 +13,7 @@ namespace penumbra {
 
 inline constexpr std::size_t largest_obj = std::size_t{256} << 20; ///< bytes; longer files are refused
 inline constexpr std::size_t largest_mtl = std::size_t{16} << 20;
+inline constexpr std::size_t most_vertices = 8'000'000, most_libraries = 16;
 
 /// Reads `file`; polygons are kept whole. Kd is the reflectance, Ke the emitted exitance [W/m2]; a missing MTL or a
 /// face without material is grey 0.5 and noted. Throws BadInput, one line. See CONTRACT "Scenes" in the README.

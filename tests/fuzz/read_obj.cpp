@@ -1,6 +1,6 @@
 // Wavefront OBJ: any bytes as the scene, beside a material library that is there.
-#include "fuzz/sound.h"
 #include "scene/read_obj.h"
+#include "fuzz/sound.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
     using namespace penumbra;

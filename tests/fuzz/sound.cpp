@@ -28,7 +28,8 @@ void expect_sound_surface(const Surface &surface, const Scene &scene) {
     expect(surface.corners.size() >= 3 && surface.outline.size() == surface.corners.size(), "corners", surface.name);
     for (const Vec3 &x : surface.corners)
         expect(x.allFinite() && x.norm() <= 1, "a corner is outside the unit size", surface.name);
-    expect(surface.frame.normal.allFinite() && std::abs(surface.frame.normal.norm() - 1) < 1e-9, "normal", surface.name);
+    expect(surface.frame.normal.allFinite() && std::abs(surface.frame.normal.norm() - 1) < 1e-9, "normal",
+           surface.name);
     expect(std::isfinite(surface.area) && surface.area > 0, "area", surface.name);
     double tiled = 0;
     for (const Polygon &part : surface.parts)
