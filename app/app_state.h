@@ -94,7 +94,7 @@ struct AppState {
     double first_aspect = 1;    ///< pane_aspect that the first view was made for
     double pane_aspect = 1;     ///< width / height of a pane, in the last frame
     std::optional<Pick> under_cursor;
-    std::optional<int> hovered_curve; ///< of the snapshots' curves, which are the same in all panes
+    std::optional<int> hovered_curve; ///< of the active pane's curves; those of emitters come first and are the same in all panes
     std::optional<int> pinned_curve;  ///< by a click: stays in the limelight
     KeyholeMode keyhole;
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins

@@ -24,7 +24,11 @@ Json saved(const AppState &s) {
     Json j;
     j["scene"] = s.scene ? s.scene->name : "";
     j["file"] = s.scene ? s.scene->file.string() : "";
-    j["options"] = {{"threshold", s.options.threshold}, {"order", s.options.order}, {"max_depth", s.options.max_depth}};
+    j["options"] = {{"threshold", s.options.threshold},
+                    {"basis", name(s.options.basis)},
+                    {"order", s.options.order},
+                    {"cut", name(s.options.cut)},
+                    {"max_depth", s.options.max_depth}};
     j["position"] = s.position;
     j["iteration"] = iteration_of(s.position);
     j["phase"] = name(phase_of(s.position));

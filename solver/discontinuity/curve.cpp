@@ -67,15 +67,4 @@ double distance(const Curve &curve, const Vec2 &p) {
     }
 }
 
-std::optional<Vec3> line_of_sight(const Curve &curve, const Vec3 &x) {
-    if (curve.touched.size() < 2)
-        return std::nullopt;
-    for (const TouchedEdge &edge : curve.touched)
-        if (edge.is_corner())
-            return (edge.a - x).normalized();
-    const auto plane = [&](const TouchedEdge &edge) -> Vec3 { return (edge.a - x).cross(edge.b - x).normalized(); };
-    const Vec3 along = plane(curve.touched[0]).cross(plane(curve.touched[1])).normalized();
-    return along.dot(curve.touched[0].a - x) > 0 ? along : Vec3(-along);
-}
-
 } // namespace penumbra

@@ -4,7 +4,6 @@
 #include "core/ids.h"
 #include "core/vec.h"
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -51,9 +50,5 @@ std::vector<Vec2> polyline(const Curve &curve, double tolerance);
 
 /// Distance from p to the curve; for an arc to within 1e-3 of itself or 1e-9, whichever is larger.
 double distance(const Curve &curve, const Vec2 &p);
-
-/// Unit direction of the line of sight that leaves a point of the curve (given in space) for the source; none where
-/// nothing is touched.
-std::optional<Vec3> line_of_sight(const Curve &curve, const Vec3 &x);
 
 } // namespace penumbra

@@ -98,7 +98,8 @@ std::optional<Vec3> direction_in_plane(const SnapshotCurve &curve, const Vec3 &x
     return Vec3(std::cos(middle) * u + std::sin(middle) * n.cross(u));
 }
 
-/// As in curve.h, but from those two of three edges whose planes through x cross at the largest angle.
+/// Unit direction of the line of sight from x: to the corner, or from those two of three edges whose planes through x
+/// cross at the largest angle; none where nothing is touched.
 std::optional<Vec3> direction(const SnapshotCurve &curve, const Vec3 &x) {
     Vec3 best = Vec3::Zero();
     for (std::size_t i = 0; i < curve.touched.size(); ++i) {

@@ -71,13 +71,20 @@ TEST_F(CommandLine, WrongUseIsTwoAndOneLine) {
 }
 
 TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
-    for (const char *option : {"--tolerance 0.01", "--basis planar", "--effect colour=on", "--memory-limit 100"}) {
+    for (const char *option : {"--tolerance 0.01", "--effect colour=on", "--memory-limit 100"}) {
         const Result result = run(std::string("solve figure-4 ") + option);
         EXPECT_EQ(result.status, 2) << option;
         EXPECT_THAT(result.err, HasSubstr("still to come")) << option;
     }
     EXPECT_EQ(run("cost figure-4 -o x").status, 2);
     EXPECT_EQ(run("check").status, 2);
+}
+
+TEST_F(CommandLine, ThePlanarBasisHasFewerCoefficientsAPatch) {
+    const Result result = run("solve figure-4 --basis planar");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_THAT(result.out, HasSubstr("\"basis\": \"planar\""));
+    EXPECT_EQ(run("solve figure-4 --basis cubic").status, 2);
 }
 
 TEST_F(CommandLine, BadInputIsThree) {
