@@ -18,7 +18,9 @@ std::string picture_state(const PictureSpec &spec, const std::filesystem::path &
     j["scene"] = first.scene;
     j["file"] = scene_file.string();
     j["options"] = {{"threshold", first.options.threshold},
+                    {"basis", name(first.options.basis)},
                     {"order", first.options.order},
+                    {"cut", name(first.options.cut)},
                     {"max_depth", first.options.max_depth}};
     j["iteration"] = first.counters.iteration;
     j["phase"] = name(first.phase);

@@ -79,6 +79,20 @@ void draw_options(AppState &state) {
             options.order = order;
         }
     }
+    field_label("elements");
+    const float half = (ImGui::GetContentRegionAvail().x - 1) / 2;
+    for (const BasisFamily family : {BasisFamily::parametric, BasisFamily::planar}) {
+        const bool planar = family == BasisFamily::planar;
+        if (planar)
+            ImGui::SameLine(0, 1);
+        if (choice(state, "basis " + std::string(name(family)), planar ? "convex" : "quads", options.basis == family,
+                   planar ? "Polynomials of the plane on convex polygons of any shape: cuts lose nothing."
+                          : "The paper's products of polynomials in the two parameters of a quad.",
+                   {half, 0})) {
+            done = done || options.basis != family;
+            options.basis = family;
+        }
+    }
     if (done)
         set_options(state, options);
 }

@@ -78,6 +78,8 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
     label.title = (tag.empty() ? "" : tag + " ") + std::string(title(snapshot.options.strategy));
     if (!is_constant(snapshot.options.strategy))
         label.title += ", M = " + std::to_string(snapshot.options.order);
+    if (snapshot.options.basis == BasisFamily::planar)
+        label.title += ", on polygons";
     label.figures = {counted(c.patches, "patch", "patches"), counted(c.coefficients, "coefficient", "coefficients")};
     if (snapshot.error >= 0)
         label.figures.push_back("error " + three_digits(100 * snapshot.error) + " %");

@@ -109,6 +109,14 @@ TEST_F(PanelsTest, TheOrderStartsItAnew) {
               4 * session.state()["panes"][0]["patches"].get<int>());
 }
 
+TEST_F(PanelsTest, TheBasisStartsItAnew) {
+    const Json before = session.state();
+    click("basis planar", [](const Json &s) { return s["options"]["basis"] == "planar"; });
+    EXPECT_NE(session.state()["run"], before["run"]);
+    EXPECT_EQ(session.state()["panes"][0]["coefficients"].get<int>(),
+              10 * session.state()["panes"][0]["patches"].get<int>());
+}
+
 TEST_F(PanelsTest, ExposureSlider) {
     const Box box = session.widget("exposure");
     const double y = box.y + 0.5 * box.height;
