@@ -1,0 +1,50 @@
+#include "study/case_groups.h"
+
+#include <algorithm>
+#include <array>
+
+namespace penumbra {
+
+namespace {
+
+const Vec3 far(1, 1.5, 0.75);
+
+HardCase furnace(const std::string &name, const std::string &what, double reflectance, double bound) {
+    return {
+        name, what, [=](const TrialSetting &setting) {
+            const Trial trial = solve(room(far, reflectance, 1), setting);
+            const double expected = 1 / (1 - reflectance);
+            std::vector<Measurement> out = soundness(trial);
+            double most = 0;
+            for (const auto &[corner, a, b, normal] :
+                 {std::array<Vec3, 4>{Vec3::Zero(), far.x() * Vec3::UnitX(), far.y() * Vec3::UnitY(), Vec3::UnitZ()},
+                  std::array<Vec3, 4>{Vec3::Zero(), far.y() * Vec3::UnitY(), far.z() * Vec3::UnitZ(), Vec3::UnitX()},
+                  std::array<Vec3, 4>{Vec3::Zero(), far.z() * Vec3::UnitZ(), far.x() * Vec3::UnitX(), Vec3::UnitY()}})
+                most = std::max(
+                    most, largest_error(trial, grid(corner, a, b), normal, [&](const Vec3 &) { return expected; }));
+            out.push_back({"error against E / (1 - rho)", most, bound});
+            return out;
+        }};
+}
+
+std::vector<Measurement> dark_room(const TrialSetting &setting) {
+    const Trial trial = solve(room(far, 0.8), setting);
+    std::vector<Measurement> out = soundness(trial);
+    out.push_back({"largest coefficient [W/m2]", trial.state->radiosity.cwiseAbs().maxCoeff(), 0});
+    out.push_back({"iterations", static_cast<double>(trial.state->counters.iteration), 1});
+    return out;
+}
+
+} // namespace
+
+std::vector<HardCase> closed_room_cases() {
+    return {
+        furnace("furnace-black", "In a room of black walls that all glow, radiosity is what they emit", 0, 1e-12),
+        furnace("furnace-bright",
+                "In a room of walls that all glow and reflect 0.9, radiosity is ten times what they emit", 0.9,
+                Options().threshold),
+        {"dark-room", "A closed room without light is dark, exactly and at once", dark_room},
+    };
+}
+
+} // namespace penumbra
