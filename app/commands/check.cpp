@@ -28,7 +28,7 @@ int examine_shelf(const CheckOptions &options, const Cancel &cancel) {
         for (const BasisFamily basis : both)
             results.push_back(examine(hard_case, basis, &cancel));
     deliver(options.common.output, options.json ? check_json(results) : check_text(results, options.common.verbose));
-    return std::ranges::all_of(results, &CaseResult::holds) ? done : comparison_failed;
+    return all_hold(results) ? done : comparison_failed;
 }
 
 int examine_scenes(const CheckOptions &options, const Cancel &cancel) {

@@ -7,9 +7,9 @@ namespace penumbra {
 
 namespace {
 
-const Vec3 far(1, 1.5, 0.75);
+const Vec3 hall(1, 1.5, 0.75);
 
-HardCase furnace(const std::string &name, const std::string &what, double reflectance, double bound) {
+HardCase furnace(const std::string &name, const std::string &what, const Vec3 &far, double reflectance, double bound) {
     return {
         name, what, [=](const TrialSetting &setting) {
             const Trial trial = solve(room(far, reflectance, 1), setting);
@@ -28,7 +28,7 @@ HardCase furnace(const std::string &name, const std::string &what, double reflec
 }
 
 std::vector<Measurement> dark_room(const TrialSetting &setting) {
-    const Trial trial = solve(room(far, 0.8), setting);
+    const Trial trial = solve(room(hall, 0.8), setting);
     std::vector<Measurement> out = soundness(trial);
     out.push_back({"largest coefficient [W/m2]", trial.state->radiosity.cwiseAbs().maxCoeff(), 0});
     out.push_back({"iterations", static_cast<double>(trial.state->counters.iteration), 1});
@@ -39,10 +39,13 @@ std::vector<Measurement> dark_room(const TrialSetting &setting) {
 
 std::vector<HardCase> closed_room_cases() {
     return {
-        furnace("furnace-black", "In a room of black walls that all glow, radiosity is what they emit", 0, 1e-12),
+        furnace("furnace-black", "In a room of black walls that all glow, radiosity is what they emit", hall, 0, 1e-12),
         furnace("furnace-bright",
-                "In a room of walls that all glow and reflect 0.9, radiosity is ten times what they emit", 0.9,
+                "In a room of walls that all glow and reflect 0.9, radiosity is ten times what they emit", hall, 0.9,
                 Options().threshold),
+        furnace("tube",
+                "And in a tube a hundred times as long as wide, whose walls reflect a half, twice what they emit",
+                Vec3(100, 1, 1), 0.5, Options().threshold),
         {"dark-room", "A closed room without light is dark, exactly and at once", dark_room},
     };
 }

@@ -18,6 +18,10 @@ bool CaseResult::holds() const {
     return !measurements.empty() && std::ranges::all_of(measurements, &Measurement::holds);
 }
 
+bool all_hold(const std::vector<CaseResult> &results) {
+    return !results.empty() && std::ranges::all_of(results, &CaseResult::holds);
+}
+
 CaseResult examine(const HardCase &hard_case, BasisFamily basis, const Cancel *cancel) {
     TrialSetting setting;
     setting.cancel = cancel;

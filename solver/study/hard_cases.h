@@ -27,6 +27,9 @@ struct CaseResult {
     bool holds() const;
 };
 
+/// Whether a check may pass: there are results, and each holds.
+bool all_hold(const std::vector<CaseResult> &results);
+
 /// Solves with the options that `solve` has unless told otherwise. Throws Cancelled.
 CaseResult examine(const HardCase &hard_case, BasisFamily basis, const Cancel *cancel = nullptr);
 

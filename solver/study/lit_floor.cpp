@@ -5,10 +5,10 @@
 
 namespace penumbra {
 
-std::vector<Measurement> compare_with_lambert(const Faces &faces, const std::vector<Vec3> &points,
+std::vector<Measurement> compare_with_lambert(const Faces &faces, const Face &lamp, const std::vector<Vec3> &points,
                                               const TrialSetting &setting) {
     const Trial trial = solve(faces, setting);
-    const Face &floor = faces[0], &lamp = faces[1];
+    const Face &floor = faces[0];
     const Vec3 up = plane_frame(floor.corners).normal;
     const auto exact = [&](const Vec3 &x) {
         return floor.reflectance * lamp.exitance * point_factor(x, up, lamp.corners);
@@ -17,6 +17,11 @@ std::vector<Measurement> compare_with_lambert(const Faces &faces, const std::vec
     out.push_back(
         {"error against Lambert's closed form", largest_error(trial, points, up, exact), setting.options.threshold});
     return out;
+}
+
+std::vector<Measurement> compare_with_lambert(const Faces &faces, const std::vector<Vec3> &points,
+                                              const TrialSetting &setting) {
+    return compare_with_lambert(faces, faces[1], points, setting);
 }
 
 } // namespace penumbra

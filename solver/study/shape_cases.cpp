@@ -2,6 +2,8 @@
 
 #include "study/lit_floor.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,6 +68,28 @@ std::vector<Measurement> star_receiver(const TrialSetting &setting) {
         grid(Vec3(0.3, 0.3, 0), 0.4 * x, 0.4 * y), setting);
 }
 
+/// A floor and a lamp, turned about a skew axis and carried off by `shift`.
+std::vector<Measurement> moved(double angle, const Vec3 &shift, const TrialSetting &setting) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    Faces faces{parallelogram(o, x, y, 0.5), parallelogram(Vec3(0.1, 0.2, 0.5), 0.4 * y, 0.4 * x, 0, 1)};
+    for (Face &face : faces)
+        for (Vec3 &corner : face.corners)
+            corner = turn * corner + shift;
+    return compare_with_lambert(faces, grid(shift, turn * x, turn * y), setting);
+}
+
+/// B(x) against B(1 - x) where all is symmetric in x = 1/2.
+std::vector<Measurement> mirror(const TrialSetting &setting) {
+    const Trial trial = solve({parallelogram(o, x, y, 0.5), parallelogram(Vec3(0.3, 0.2, 1), 0.3 * y, 0.4 * x, 0, 1),
+                               parallelogram(Vec3(0.35, 0.3, 0.25), 0.3 * x, Vec3(0, 0.4, 0.1), 0)},
+                              setting);
+    const auto mirrored = [&](const Vec3 &p) { return radiosity(trial, Vec3(1 - p.x(), p.y(), p.z()), z); };
+    std::vector<Measurement> out = soundness(trial);
+    out.push_back(
+        {"difference from the mirrored", largest_error(trial, grid(o, x, y), z, mirrored), setting.options.threshold});
+    return out;
+}
+
 /// A floor, a lamp and a blocker between; a power of two scales without rounding.
 Faces shaded_floor(double scale) {
     Faces faces{parallelogram(o, x, y, 0.5), parallelogram(Vec3(0.1, 0.2, 1), 0.3 * y, 0.3 * x, 0, 1),
@@ -107,6 +131,11 @@ std::vector<HardCase> shape_cases() {
         {"concave-receiver", "A concave receiver has Lambert's radiosity", concave_receiver},
         {"star-emitter", "An emitter with 64 corners, half of them concave, gives Lambert's radiosity", star_emitter},
         {"star-receiver", "A receiver with 64 corners, half of them concave, has Lambert's radiosity", star_receiver},
+        {"turned", "A scene that is turned about a skew axis has Lambert's radiosity",
+         [](const TrialSetting &setting) { return moved(0.7, o, setting); }},
+        {"far-off", "A scene a hundred thousand sizes from the origin has Lambert's radiosity",
+         [](const TrialSetting &setting) { return moved(0.7, 1e5 * Vec3(1, -1, 1), setting); }},
+        {"mirror", "A scene that is its own mirror image has radiosity that is its own mirror image", mirror},
         scaled("scaled-up", 20),
         scaled("scaled-down", -20),
     };

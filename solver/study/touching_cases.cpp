@@ -11,6 +11,8 @@ namespace {
 
 const Vec3 o = Vec3::Zero(), x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
 
+Faces plain() { return {parallelogram(o, x, y, 0.5), parallelogram(Vec3(0.1, 0.2, 0.5), 0.4 * y, 0.4 * x, 0, 1)}; }
+
 HardCase shared_edge(const std::string &name, const std::string &angle, double degrees) {
     return {name, "A square lit by one that shares an edge with it at " + angle + " has Lambert's radiosity",
             [degrees](const TrialSetting &setting) {
@@ -47,7 +49,7 @@ std::vector<Measurement> lamp_in_wall(const TrialSetting &setting) {
 }
 
 std::vector<Measurement> duplicates(const TrialSetting &setting) {
-    const Faces once{parallelogram(o, x, y, 0.5), parallelogram(Vec3(0.1, 0.2, 0.5), 0.4 * y, 0.4 * x, 0, 1)};
+    const Faces once = plain();
     const std::vector<Vec3> points = grid(o, x, y);
     std::vector<Measurement> out = compare_with_lambert({once[0], once[1], once[0], once[1]}, points, setting);
     const Trial one = solve(once, setting), two = solve({once[0], once[1], once[0], once[1]}, setting);
@@ -57,10 +59,27 @@ std::vector<Measurement> duplicates(const TrialSetting &setting) {
     return out;
 }
 
+/// Floor and lamp in three parts each, the seam of two of them ending in the middle of the third's side.
+std::vector<Measurement> t_junctions(const TrialSetting &setting) {
+    const Vec3 corner(0.1, 0.2, 0.5);
+    const auto lamp = [&](double from_x, double from_y, double wide, double deep) {
+        return parallelogram(corner + from_x * x + from_y * y, deep * y, wide * x, 0, 1);
+    };
+    const Faces faces{parallelogram(o, 0.5 * x, y, 0.5),
+                      parallelogram(0.5 * x, 0.5 * x, 0.4 * y, 0.5),
+                      parallelogram(0.5 * x + 0.4 * y, 0.5 * x, 0.6 * y, 0.5),
+                      lamp(0, 0, 0.2, 0.4),
+                      lamp(0.2, 0, 0.2, 0.1),
+                      lamp(0.2, 0.1, 0.2, 0.3)};
+    return compare_with_lambert(faces, lamp(0, 0, 0.4, 0.4), grid(o, x, y), setting);
+}
+
 } // namespace
 
 std::vector<HardCase> touching_cases() {
     return {
+        {"plain", "To compare the others with: a floor under a lamp, nothing hard, has Lambert's radiosity",
+         [](const TrialSetting &setting) { return compare_with_lambert(plain(), grid(o, x, y), setting); }},
         shared_edge("edge-90-degrees", "90 degrees", 90),
         shared_edge("edge-10-degrees", "10 degrees", 10),
         shared_edge("edge-1-degree", "1 degree", 1),
@@ -74,6 +93,8 @@ std::vector<HardCase> touching_cases() {
          [](const TrialSetting &setting) { return in_one_plane(0.5, true, setting); }},
         {"emitter-in-a-wall", "An emitter that lies in a wall lights the floor as if alone, and the wall not at all",
          lamp_in_wall},
+        {"t-junctions", "A floor and a lamp in parts that meet in T-junctions give Lambert's radiosity of the whole",
+         t_junctions},
         {"duplicates", "Polygons that are there twice give the solution of one of each", duplicates},
     };
 }

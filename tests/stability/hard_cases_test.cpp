@@ -41,12 +41,18 @@ TEST(HardCase, NamesAreUnique) {
 }
 
 TEST(HardCase, AnImpossibleBoundFails) {
-    // A lit floor whose error may be less than nothing; a value that is no number; and nothing measured at all.
+    // A peak that may be less than nothing, alone and between cases that hold; a value that is no number; and nothing
+    // measured at all.
     const HardCase impossible{"impossible", "", [](const TrialSetting &setting) {
                                   const Trial trial = solve(room(Vec3(1, 1, 1), 0.5, 1), setting);
                                   return std::vector<Measurement>{{"peak", trial.state->peak, -1}};
                               }};
-    EXPECT_FALSE(examine(impossible, BasisFamily::parametric).holds());
+    const CaseResult failed = examine(impossible, BasisFamily::parametric);
+    EXPECT_FALSE(failed.holds());
+    const CaseResult held{"held", "", BasisFamily::parametric, {{"nothing", 0, 0}}};
+    EXPECT_TRUE(all_hold({held, held}));
+    EXPECT_FALSE(all_hold({held, failed, held}));
+    EXPECT_FALSE(all_hold({}));
     EXPECT_FALSE((Measurement{"lost", std::numeric_limits<double>::quiet_NaN(), 1}.holds()));
     EXPECT_FALSE(CaseResult().holds());
 }
