@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace penumbra {
 
@@ -35,6 +36,20 @@ std::vector<Measurement> dark_room(const TrialSetting &setting) {
     return out;
 }
 
+/// A room with a lamp in its middle, at the fixed point and long after. The steps stop when what is to come is below a
+/// tenth of the threshold.
+std::vector<Measurement> long_after(const TrialSetting &setting) {
+    Faces faces = room(hall, 0.5);
+    faces.push_back(parallelogram(Vec3(0.4, 0.6, 0.5), 0.3 * Vec3::UnitY(), 0.2 * Vec3::UnitX(), 0, 1));
+    const Trial then = solve(faces, setting), later = solve(faces, setting, 1000);
+    const auto &a = then.state->radiosity, &b = later.state->radiosity;
+    const double drift = a.rows() == b.rows() ? (a - b).cwiseAbs().maxCoeff() / then.state->peak
+                                              : std::numeric_limits<double>::infinity();
+    std::vector<Measurement> out = soundness(later);
+    out.push_back({"drift in 1000 steps, of the peak", drift, 0.1 * setting.options.threshold});
+    return out;
+}
+
 } // namespace
 
 std::vector<HardCase> closed_room_cases() {
@@ -46,6 +61,7 @@ std::vector<HardCase> closed_room_cases() {
         furnace("tube",
                 "And in a tube a hundred times as long as wide, whose walls reflect a half, twice what they emit",
                 Vec3(100, 1, 1), 0.5, Options().threshold),
+        {"long-after", "Steps after the fixed point change nothing but what was still to come", long_after},
         {"dark-room", "A closed room without light is dark, exactly and at once", dark_room},
     };
 }

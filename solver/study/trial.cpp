@@ -57,10 +57,12 @@ Faces room(const Vec3 &far, double reflectance, double exitance) {
     return {wall(o, x, y), wall(z, y, x), wall(o, z, x), wall(y, x, z), wall(o, y, z), wall(x, z, y)};
 }
 
-Trial solve(const Faces &faces, const TrialSetting &setting) {
+Trial solve(const Faces &faces, const TrialSetting &setting, int more) {
     const auto scene = std::make_shared<const Scene>(scene_of(faces));
     Solver solver(scene, setting.options, setting.cancel);
     solver.run(setting.cancel);
+    for (int k = 0; k < more; ++k)
+        solver.step(setting.cancel);
     return {setting, scene, solver.state(), solver.snapshot()};
 }
 

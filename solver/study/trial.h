@@ -36,8 +36,8 @@ struct Trial {
     std::shared_ptr<const Snapshot> snapshot;
 };
 
-/// Solves to the fixed point or Options::max_iterations. Throws Cancelled, and BadInput where a reader would.
-Trial solve(const Faces &faces, const TrialSetting &setting);
+/// Solves to the fixed point or Options::max_iterations, and then goes on for `more` steps. Throws Cancelled, and BadInput where a reader would.
+Trial solve(const Faces &faces, const TrialSetting &setting, int more = 0);
 
 /// Not finite values (none), how far below 0 any radiosity falls (at 5 x 5 points of each leaf's tiles that no cover
 /// hides, as a fraction of the largest reflected radiosity; at most the threshold) and whether the fixed point was
