@@ -10,7 +10,7 @@ std::vector<Command> add_commands(CLI::App &root) {
         add_paper(root),
         add_pending(root, "cost", "What accuracy costs: error against seconds, patches and coefficients"),
         add_curves(root),
-        add_pending(root, "check", "Numerical health"),
+        add_check(root),
         add_scenes(root),
     };
 }

@@ -77,7 +77,39 @@ TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
         EXPECT_THAT(result.err, HasSubstr("still to come")) << option;
     }
     EXPECT_EQ(run("cost figure-4 -o x").status, 2);
-    EXPECT_EQ(run("check").status, 2);
+}
+
+TEST_F(CommandLine, CheckSaysWhatHoldsAndWhatFails) {
+    // Status 1 exactly when a case fails, and the table names the same ones.
+    const Result table = run("check"), json = run("check --json -o shelf.json");
+    const auto shelf = record("shelf.json");
+    std::size_t n_failed = 0;
+    for (const auto &found : shelf) {
+        n_failed += found["holds"] == false;
+        const std::string line = "FAILED: " + found["name"].get<std::string>() + " (" + found["basis"].get<std::string>() + ")\n";
+        EXPECT_EQ(table.out.find(line) != std::string::npos, found["holds"] == false) << line;
+        for (const auto &m : found["measurements"])
+            EXPECT_EQ(m["holds"], !m["value"].is_null() && m["value"] <= m["bound"]) << found["name"] << m["quantity"];
+    }
+    EXPECT_GE(shelf.size(), 40U);
+    EXPECT_EQ(table.status, n_failed > 0 ? 1 : 0);
+    EXPECT_EQ(json.status, table.status);
+    EXPECT_THAT(table.out, HasSubstr(std::to_string(shelf.size() - n_failed) + " of " + std::to_string(shelf.size()) + " hold"));
+}
+
+TEST_F(CommandLine, CheckOfAScene) {
+    EXPECT_EQ(run("check furnace figure-4 --json -o health.json").status, 0);
+    const auto health = record("health.json");
+    ASSERT_EQ(health.size(), 4U); // two scenes, two bases
+    for (const auto &found : health) {
+        EXPECT_EQ(found["non_finite"], 0);
+        EXPECT_LT(found["energy_balance_error"], 0.02);
+        EXPECT_EQ(found["converged"], true);
+    }
+    EXPECT_NEAR(health[0]["lost"], 0, 1e-12); // a closed room of reflecting walls
+    EXPECT_THAT(run("check furnace").out, HasSubstr("planar"));
+    EXPECT_EQ(run("check none.obj").status, 3);
+    EXPECT_EQ(run("check -o none/a.json").status, 5);
 }
 
 TEST_F(CommandLine, ThePlanarBasisHasFewerCoefficientsAPatch) {
