@@ -38,8 +38,8 @@ void source_moments(const Vec3 &x, const Vec3 &n, const PlaneFrame &source, cons
         const double size = radius(piece);
         const double distance = std::max(eye.distance(nearest), 1e-14 * size);
         samples.clear();
-        // Gauss converges as rho^(-2n), rho the Bernstein ellipse that keeps clear of the kernel's poles; the rest is for
-        // what the kernel is multiplied with. Products in parameters are of twice the degree in those of a part.
+        // Gauss converges as rho^(-2n), rho the Bernstein ellipse that keeps clear of the kernel's poles; the rest is
+        // for what the kernel is multiplied with. Products in parameters are of twice the degree in those of a part.
         const int more = basis.quad() && !std::ranges::equal(piece, basis.outline()) ? basis.order() - 1 : 0;
         const double n_far = std::ceil(digits / (2 * std::asinh(distance / size)) + 2 + 0.5 * more);
         const int n_near = static_cast<int>(std::ceil(0.45 * digits)) + 3;

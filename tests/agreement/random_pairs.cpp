@@ -64,9 +64,14 @@ struct Planted {
     bool any_part; ///< whether a part of it may be asked for
 };
 
-Planted planted(Draw &draw, double slim = 1) {
+enum class Shape { any, sliver, triangle, part_of_parallelogram };
+
+Planted planted(Draw &draw, Shape shape) {
+    const double slim = shape == Shape::sliver ? draw.small(1, 5) : draw.in(0.3, 1);
     const int order = 2 + static_cast<int>(draw.in(0, 3));
-    const double which = draw.in(0, 4);
+    if (shape == Shape::triangle)
+        return {ElementBasis(order, bilinear_quad(polygon(draw, 3, slim))), false};
+    const double which = shape == Shape::part_of_parallelogram ? 0 : draw.in(0, 4);
     if (which < 1)
         return {ElementBasis(order, bilinear_quad(parallelogram(draw, slim))), true};
     if (which < 1.5)
@@ -88,15 +93,17 @@ Polygon seen(const Vec3 &x, const Vec3 &n, const PlaneFrame &source, const Plant
 
 /// Tries until something is seen. `place` gives a point in front of the source for an element, and a normal.
 template <class Place>
-PointAndElement until_seen(std::uint32_t seed, bool slivers, const Place &place) {
+PointAndElement until_seen(std::uint32_t seed, Shape shape, const Place &place) {
     Draw draw(seed);
     for (;;) {
         const PlaneFrame source = frame(draw);
-        const Planted p = planted(draw, slivers ? draw.small(1, 5) : draw.in(0.3, 1));
+        const Planted p = planted(draw, shape);
         const auto [x, n] = place(draw, source, p.element.outline());
         if (source.height(x) <= 0)
             continue;
-        if (Polygon piece = seen(x, n, source, p); piece.size() > 2 && area(piece) > 1e-3 * p.element.area())
+        const double least = 1e-3, most = shape == Shape::part_of_parallelogram ? 0.99 : 2;
+        if (Polygon piece = seen(x, n, source, p);
+            piece.size() > 2 && area(piece) > least * p.element.area() && area(piece) < most * p.element.area())
             return {x, n, source, p.element, std::move(piece)};
     }
 }
@@ -161,13 +168,15 @@ Place over_sliver(Draw &draw, const PlaneFrame &source, const Polygon &p) {
 
 const std::vector<PairSort> &pair_sorts() {
     static const std::vector<PairSort> sorts{
-        {"far", [](std::uint32_t s) { return until_seen(s, false, far_off); }},
-        {"near", [](std::uint32_t s) { return until_seen(s, false, near_by); }},
-        {"edge", [](std::uint32_t s) { return until_seen(s, false, at_an_edge); }},
-        {"corner", [](std::uint32_t s) { return until_seen(s, false, at_a_corner); }},
-        {"beside", [](std::uint32_t s) { return until_seen(s, false, beside_the_plane); }},
-        {"grazing", [](std::uint32_t s) { return until_seen(s, false, grazing_over); }},
-        {"sliver", [](std::uint32_t s) { return until_seen(s, true, over_sliver); }},
+        {"far", [](std::uint32_t s) { return until_seen(s, Shape::any, far_off); }},
+        {"near", [](std::uint32_t s) { return until_seen(s, Shape::any, near_by); }},
+        {"edge", [](std::uint32_t s) { return until_seen(s, Shape::any, at_an_edge); }},
+        {"corner", [](std::uint32_t s) { return until_seen(s, Shape::any, at_a_corner); }},
+        {"beside", [](std::uint32_t s) { return until_seen(s, Shape::any, beside_the_plane); }},
+        {"grazing", [](std::uint32_t s) { return until_seen(s, Shape::any, grazing_over); }},
+        {"sliver", [](std::uint32_t s) { return until_seen(s, Shape::sliver, over_sliver); }},
+        {"triangle", [](std::uint32_t s) { return until_seen(s, Shape::triangle, grazing_over); }},
+        {"part", [](std::uint32_t s) { return until_seen(s, Shape::part_of_parallelogram, far_off); }},
     };
     return sorts;
 }

@@ -23,8 +23,8 @@ struct PairSort {
     PointAndElement (*make)(std::uint32_t seed);
 };
 
-/// Far, near, at a common edge, at a corner, beside the source's plane, over its middle at grazing heights, slivers.
-/// Elements are of order 2 to 4 and of both families in turn.
+/// Far, near, at a common edge, at a corner, beside the source's plane, over its middle at grazing heights, slivers,
+/// parametric triangles, parts of parallelograms. Elements are of order 2 to 4 and of both families in turn.
 const std::vector<PairSort> &pair_sorts();
 
 } // namespace penumbra

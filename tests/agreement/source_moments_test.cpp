@@ -20,7 +20,7 @@ using reference::Digits;
 
 std::uint32_t n_pairs() {
     const char *asked = std::getenv("PENUMBRA_RANDOM_PAIRS");
-    return asked ? static_cast<std::uint32_t>(std::atoi(asked)) : 40;
+    return asked ? static_cast<std::uint32_t>(std::atoi(asked)) : 32;
 }
 
 double distance_from_outline(const Vec3 &x, const PlaneFrame &source, const Polygon &piece) {
