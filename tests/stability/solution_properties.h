@@ -1,0 +1,30 @@
+// What must hold of every solution, whatever the scene.
+#pragma once
+
+#include "iteration/state.h"
+#include "study/measurement.h"
+
+#include <vector>
+
+namespace penumbra {
+
+/// Finite; not below black (by more than 1e-6 of the largest radiosity for constants, than the threshold of the largest
+/// reflected one else, at 5 x 5 points of each leaf's tiles that nothing covers); a fixed point; reciprocity of links;
+/// and the balance of energy.
+///
+/// Reciprocity: |A_p| K_00 of a link equals |A_q| K_00 of the link back, to within what the two fits miss at their test
+/// points, A_p and A_q times, and the accuracy asked for; and so do the sums over all links between two surfaces. In
+/// the parametric family only parallelograms have it. Surfaces with covers and links too weak to be tested are left
+/// out.
+///
+/// Balance: emitted = absorbed + lost, in each channel, within 0.5 % of what is emitted. The lost part (out of the
+/// scene, onto backs, onto black surfaces) and the areas that covers leave are found by rays against all polygons
+/// (reference/rays.h) in sixteen batches with random places, whose scatter gives the standard error: it must be below
+/// 0.1 %.
+std::vector<Measurement> properties(const Scene &scene, const Options &options, const State &state);
+
+/// Root mean square difference of two solutions as a fraction of the largest reflected radiosity; at most the
+/// threshold.
+Measurement agreement(const Scene &scene, const Options &options, const State &parametric, const State &planar);
+
+} // namespace penumbra
