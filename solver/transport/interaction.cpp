@@ -155,8 +155,15 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a fit, more.
     const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(transport.accuracy))) - 3);
     const int finer = fine && out->kind == PairKind::partly_hidden ? 2 : 1;
-    const int n_points = weak ? 2 : finer * (order + 1) + digits;
-    const int n_levels = near && !weak ? digits : 0;
+    int n_points = weak ? 2 : finer * (order + 1) + digits, n_levels = near && !weak ? digits : 0;
+    if (digits > 0 && !weak && out->blockers.empty() && distance > 0) {
+        // The transfer's poles are as far from p as the source: Gauss converges as it does in source_moments.
+        const double rate = 2 * std::asinh(distance / size);
+        if (const double enough = std::ceil(std::log(1 / transport.accuracy) / rate + 0.5 * order + 1); enough <= 32) {
+            n_points = std::max(n_points, static_cast<int>(enough));
+            n_levels = 0;
+        }
+    }
 
     Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, n_columns);
     Eigen::RowVectorXd row(n_columns);

@@ -100,6 +100,8 @@ public:
         std::vector<double> out;
         for (const Edge &e : edges_)
             add_direction(e.from, out);
+        if (out.empty())
+            return out;
         std::ranges::sort(out);
         const double first = out.front(), last = out.back();
         std::vector<double> near;
@@ -161,8 +163,8 @@ private:
     };
     void add_direction(const Vec2 &p, std::vector<double> &out) const {
         const double left = cross(a_, p), right = cross(p, b_);
-        if (left + right > 1e-14 * turn_)
-            out.push_back(left / (left + right));
+        if (left + right > 1e-12 * turn_) // a point at the apex has no direction
+            out.push_back(std::clamp(left / (left + right), 0.0, 1.0));
     }
 
     const Eye &eye_;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 
 namespace penumbra {
 namespace {
@@ -99,6 +100,24 @@ TEST(PointMoments, TheReferenceDoesNotHangOnItsRule) {
         const auto fine = reference::point_moments(p.x, p.n, p.source, p.element, p.piece, 20);
         for (std::size_t j = 0; j < fine.size(); ++j)
             EXPECT_LT(abs(fine[j] - coarse[j]), 1e-14 * fine[0]) << sort.name << ", moment " << j;
+    }
+}
+
+TEST(PointMoments, OfATinyPieceAtATrianglesDoubleCorner) {
+    // What a blocker leaves of a triangle may be nothing but its double corner, where directions have no digits left.
+    const PlaneFrame plane{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    const ElementBasis triangle(4, BilinearQuad{{Vec2(1, 0), Vec2(0, 1), Vec2(0, 0), Vec2(0, 0)}});
+    for (const double size : {1e-3, 1e-9, 1e-13, 1e-17}) {
+        ConvexPieces pieces;
+        pieces.add(std::vector<Vec2>{{0, 0}, {size, 0}, {0.5 * size, size}});
+        std::vector<double> moments(16);
+        Work work;
+        source_moments(Vec3(0.3, 0.2, 0.5), -Vec3::UnitZ(), plane, triangle, pieces, 1e-4, moments, work);
+        // Area times G; the functions are at most 7 there.
+        const double kernel = 0.25 / (std::numbers::pi * 0.38 * 0.38), t0 = kernel * size * size / 2;
+        EXPECT_NEAR(moments[0], t0, 5 * size * t0 + 1e-17) << size;
+        for (const double t : moments)
+            EXPECT_LE(std::abs(t), 7 * (1 + 5 * size) * t0 + 1e-16) << size;
     }
 }
 

@@ -14,13 +14,16 @@ struct Pair {
     Pair(const reference::Face &p, const reference::Face &q, int order)
         : scene(reference::scene_of({p, q})), blockers(*scene), forest(plant(*scene, order)) {}
 
-    /// K of the only link from one to the other, at this accuracy.
-    Eigen::MatrixXd kernel(SurfaceId receiver, SurfaceId source, double accuracy, Work &work) const {
+    /// The only link from one to the other, at this accuracy.
+    Link link(SurfaceId receiver, SurfaceId source, double accuracy, Work &work) const {
         const Transport transport{*scene, blockers, accuracy};
         const auto made = connect(transport, forest, forest.roots[receiver.at()].at(0), source,
                                   all_candidates(transport, receiver, source), forest.roots[source.at()], false, work);
         EXPECT_EQ(made->links.size(), 1U);
-        return made->links.at(0).kernel;
+        return made->links.at(0);
+    }
+    Eigen::MatrixXd kernel(SurfaceId receiver, SurfaceId source, double accuracy, Work &work) const {
+        return link(receiver, source, accuracy, work).kernel;
     }
     Eigen::MatrixXd kernel(int receiver, int source, double accuracy) const {
         Work work;

@@ -35,6 +35,8 @@ Rule rule(int n) {
     switch (n) {
     case 7:
         return rule<7>();
+    case 10:
+        return rule<10>();
     case 15:
         return rule<15>();
     case 20:
@@ -126,6 +128,43 @@ Eigen::MatrixXd hinged_kernel(const HingedRectangle &p, const HingedRectangle &q
         }
     }
     return sum / (std::abs(p.to - p.from) * p.reach);
+}
+
+Eigen::MatrixXd clear_kernel(const Parallelogram &p, const Parallelogram &q, int order, int panels) {
+    const Rule gauss = rule(10);
+    const auto points = static_cast<Eigen::Index>(gauss.points.size()) * panels;
+    Eigen::VectorXd at(points), weight(points);
+    Eigen::MatrixXd functions(order, points);
+    for (Eigen::Index k = 0; k < points; ++k) {
+        const auto i = static_cast<std::size_t>(k / panels);
+        at[k] = (static_cast<double>(k % panels) + gauss.points[i]) / panels;
+        weight[k] = gauss.weights[i] / panels;
+        functions.col(k) = legendre_all(order, at[k]);
+    }
+    const Vec3 area_p = p.first.cross(p.second), area_q = q.first.cross(q.second), n = area_p.normalized();
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(order * order, order * order);
+    for (Eigen::Index a = 0; a < points; ++a)
+        for (Eigen::Index b = 0; b < points; ++b) {
+            const Vec3 x = p.corner + at[a] * p.first + at[b] * p.second;
+            // By one parameter of the source after the other.
+            Eigen::MatrixXd from(order, order);
+            from.setZero();
+            for (Eigen::Index c = 0; c < points; ++c) {
+                Eigen::VectorXd inner = Eigen::VectorXd::Zero(order);
+                for (Eigen::Index d = 0; d < points; ++d) {
+                    const Vec3 r = q.corner + at[c] * q.first + at[d] * q.second - x;
+                    const double r2 = r.squaredNorm();
+                    inner += weight[d] * r.dot(n) * -r.dot(area_q) / (std::numbers::pi * r2 * r2) * functions.col(d);
+                }
+                from += weight[c] * functions.col(c) * inner.transpose();
+            }
+            for (int i = 0; i < order; ++i)
+                for (int j = 0; j < order; ++j)
+                    for (int k = 0; k < order; ++k)
+                        sum.block(i * order + j, k * order, 1, order) +=
+                            weight[a] * weight[b] * functions(i, a) * functions(j, b) * from.row(k);
+        }
+    return sum;
 }
 
 } // namespace penumbra::reference

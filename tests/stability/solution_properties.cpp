@@ -38,9 +38,10 @@ Measurement not_below_black(const Scene &scene, const Options &options, const St
                     most = std::max(most, b.maxCoeff());
                 }
     }
+    const auto share = [&](double of) { return least < 0 ? -least / of : 0; };
     return is_constant(options.strategy)
-               ? Measurement{"below black, of the largest", -least / most, 1e-6}
-               : Measurement{"below black, of the peak", -least / state.peak, options.threshold};
+               ? Measurement{"below black, of the largest", share(most), 1e-6}
+               : Measurement{"below black, of the peak", share(state.peak), options.threshold};
 }
 
 bool has_reciprocity(const Scene &scene, const Element &e) {
