@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <set>
@@ -18,9 +19,17 @@ namespace {
 
 constexpr int n_blocks = 5;
 
-/// What is known to break, as "seed: what". A property that comes to hold must be taken off the list: the test fails
-/// until it is.
-const std::set<std::string> known_failures{};
+/// What is known to break, as this test prints it: "seed: what, basis", and then a value that is not looked at. A
+/// property that comes to hold must be taken off the list: the test fails until it is.
+std::set<std::string> known_failures() {
+    std::ifstream file(PENUMBRA_SOURCE_DIR "/tests/stability/known_failures.txt");
+    EXPECT_TRUE(file) << "the list of known failures is missing";
+    std::set<std::string> out;
+    for (std::string line; std::getline(file, line);)
+        if (!line.empty() && line.front() != '#')
+            out.insert(line.substr(0, line.rfind(": ")));
+    return out;
+}
 
 std::shared_ptr<const State> solve(const std::shared_ptr<const Scene> &scene, const Options &options) {
     Solver solver(scene, options);
@@ -52,16 +61,19 @@ class RandomScenes : public testing::TestWithParam<int> {};
 TEST_P(RandomScenes, HaveSoundSolutions) {
     const char *asked = std::getenv("PENUMBRA_RANDOM_SCENES"), *from = std::getenv("PENUMBRA_FIRST_SCENE");
     const int n = asked ? std::atoi(asked) : 50, first = from ? std::atoi(from) : 0;
+    const std::set<std::string> known = known_failures();
     int n_scenes = 0, n_properties = 0, n_broken = 0;
     for (int seed = first + GetParam(); seed < first + n; seed += n_blocks) {
         ++n_scenes;
         for (const auto &[what, m] : measured(static_cast<std::uint32_t>(seed))) {
             ++n_properties;
             n_broken += !m.holds();
-            if (known_failures.contains(what))
+            if (!m.holds())
+                std::cout << what << ": " << m.value << " > " << m.bound << "\n";
+            if (known.contains(what))
                 EXPECT_FALSE(m.holds()) << what << " holds now: take it off the list";
             else
-                EXPECT_TRUE(m.holds()) << what << ": " << m.value << " > " << m.bound;
+                EXPECT_TRUE(m.holds()) << what << " is not on the list";
         }
     }
     RecordProperty("scenes", n_scenes);

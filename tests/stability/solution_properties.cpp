@@ -168,20 +168,38 @@ Flux follow(const Scene &scene, const State &state, double rays, std::uint32_t b
     return flux;
 }
 
-std::vector<Measurement> balance(const Scene &scene, const State &state) {
+/// A value of each channel and its standard error.
+struct Estimate {
+    Rgb mean = Rgb::Zero(), error = Rgb::Zero();
+};
+
+Estimate imbalance(const Scene &scene, const State &state, double rays) {
     constexpr std::size_t n = 16;
     std::array<Rgb, n> off;
     parallel_for(n, [&](std::size_t k) {
-        const Flux f = follow(scene, state, 16000, static_cast<std::uint32_t>(k));
+        const Flux f = follow(scene, state, rays, static_cast<std::uint32_t>(k));
         off[k] = (f.emitted - f.absorbed - f.lost) / f.emitted;
     });
-    Rgb mean = Rgb::Zero(), square = Rgb::Zero();
+    Estimate out;
+    Rgb square = Rgb::Zero();
     for (const Rgb &o : off)
-        mean += o / n;
+        out.mean += o / n;
     for (const Rgb &o : off)
-        square += (o - mean).square() / (n * (n - 1.0));
-    return {{"imbalance of energy, of what is emitted", mean.abs().maxCoeff(), 0.005},
-            {"standard error of the imbalance", square.sqrt().maxCoeff(), 0.001}};
+        square += (o - out.mean).square() / (n * (n - 1.0));
+    out.error = square.sqrt();
+    return out;
+}
+
+std::vector<Measurement> balance(const Scene &scene, const State &state) {
+    constexpr double largest_error = 0.001;
+    Estimate found;
+    for (double rays = 16000; rays < 1e6; rays *= 4) {
+        found = imbalance(scene, state, rays);
+        if (found.error.maxCoeff() < largest_error)
+            break;
+    }
+    return {{"imbalance of energy, of what is emitted", found.mean.abs().maxCoeff(), 0.005},
+            {"standard error of the imbalance", found.error.maxCoeff(), largest_error}};
 }
 
 } // namespace

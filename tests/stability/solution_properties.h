@@ -19,8 +19,8 @@ namespace penumbra {
 ///
 /// Balance: emitted = absorbed + lost, in each channel, within 0.5 % of what is emitted. The lost part (out of the
 /// scene, onto backs, onto black surfaces) and the areas that covers leave are found by rays against all polygons
-/// (reference/rays.h) in sixteen batches with random places, whose scatter gives the standard error: it must be below
-/// 0.1 %.
+/// (reference/rays.h) in sixteen batches with random places, whose scatter gives the standard error; 256000 rays or
+/// more, until that is below 0.1 %.
 std::vector<Measurement> properties(const Scene &scene, const Options &options, const State &state);
 
 /// Root mean square difference of two solutions as a fraction of the largest reflected radiosity; at most the
