@@ -82,8 +82,8 @@ std::vector<Measurement> reciprocity(const Scene &scene, const Options &options,
             }
             for (const Link &link : i->links) {
                 const double area = p.basis.area();
-                const Exchange e{area * link.kernel(0, 0),
-                                 area * (accuracy * link.kernel(0, 0) + link.misfit.col(0).cwiseAbs().maxCoeff())};
+                const Exchange e{area * link.kernel(0, 0), area * (accuracy * link.kernel(0, 0) +
+                                                                   0.25 * link.misfit.col(0).cwiseAbs().maxCoeff())};
                 totals[pair] += e;
                 if (has_reciprocity(scene, state.forest[link.source]))
                     links[{i->receiver.index, link.source.index}] = e;

@@ -12,10 +12,10 @@ namespace penumbra {
 /// reflected one else, at 5 x 5 points of each leaf's tiles that nothing covers); a fixed point; reciprocity of links;
 /// and the balance of energy.
 ///
-/// Reciprocity: |A_p| K_00 of a link equals |A_q| K_00 of the link back, to within what the two fits miss at their test
-/// points, A_p and A_q times, and the accuracy asked for; and so do the sums over all links between two surfaces. In
-/// the parametric family only parallelograms have it. Surfaces with covers and links too weak to be tested are left
-/// out.
+/// Reciprocity: |A_p| K_00 of a link equals |A_q| K_00 of the link back, to within the accuracy asked for and a quarter
+/// of what the two fits miss at their test points (K_00 of a clear pair is off by an eighth of that at most,
+/// tests/agreement/links_test.cpp); and so do the sums over all links between two surfaces. In the parametric family
+/// only parallelograms have it. Surfaces with covers and links too weak to be tested are left out.
 ///
 /// Balance: emitted = absorbed + lost, in each channel, within 0.5 % of what is emitted. The lost part (out of the
 /// scene, onto backs, onto black surfaces) and the areas that covers leave are found by rays against all polygons
