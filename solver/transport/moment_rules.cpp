@@ -88,6 +88,9 @@ public:
         for (std::size_t i = 0; i < piece.size(); ++i) {
             const Vec2 from = piece[i] - apex_, along = piece[(i + 1) % piece.size()] - piece[i];
             edges_.push_back({from, along, cross(along, from)});
+            const double r = (cross(a_, from) + cross(from, b_)) / turn_;
+            nearest_r_ = std::min(nearest_r_, r);
+            farthest_r_ = std::max(farthest_r_, r);
         }
     }
 
@@ -139,7 +142,9 @@ public:
     }
     double reach(int edge, const Vec2 &d) const {
         const Edge &e = edges_[static_cast<std::size_t>(edge)];
-        return std::max(0.0, e.offset / cross(e.along, d));
+        // Where an edge runs along the rays its crossing has no digits; the piece's corners bound it.
+        const double r = e.offset / cross(e.along, d);
+        return r >= nearest_r_ ? std::min(r, farthest_r_) : std::max(0.0, nearest_r_);
     }
     double low(const Way &way, const Vec2 &d) const { return way.in < 0 ? 0 : reach(way.in, d); }
     double high(const Way &way, const Vec2 &d) const { return std::max(low(way, d), reach(way.out, d)); }
@@ -170,6 +175,7 @@ private:
     const Eye &eye_;
     Vec2 apex_, a_, b_, foot_;
     double turn_;
+    double nearest_r_ = 1, farthest_r_ = 0; ///< of the piece's corners
     std::vector<Edge> edges_;
 };
 

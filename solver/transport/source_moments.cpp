@@ -55,7 +55,11 @@ void source_moments(const Vec3 &x, const Vec3 &n, const PlaneFrame &source, cons
         const std::span<double> piece_moments(sums.data(), moments.size());
         basis.add_weighted(samples.points, samples.weights, piece_moments);
         // The part that Lambert's form has exactly, N_j(y*), is taken out of the rule's error.
-        const BasisValues at_nearest = basis.evaluate(nearest);
+        // At a double corner a direction has no digits: it is kept within the triangle.
+        const BasisValues at_nearest =
+            triangle
+                ? basis.evaluate(QuadraturePoint{nearest, triangle->inverse(nearest).cwiseMax(0.0).cwiseMin(1.0), 0, 0})
+                : basis.evaluate(nearest);
         const double missing = whole - sums[0];
         for (std::size_t m = 0; m < moments.size(); ++m)
             moments[m] += piece_moments[m] + missing * at_nearest[static_cast<Eigen::Index>(m)];
