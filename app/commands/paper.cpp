@@ -123,6 +123,7 @@ Command add_paper(CLI::App &root) {
     const auto solving = std::make_shared<SolvingOptions>();
     const auto common = std::make_shared<CommonOptions>();
     solving->scene = "figure-4";
+    solving->options.threshold = paper_threshold;
     add_solving_options(*parser, *solving);
     parser->remove_option(parser->get_option("--strategy")); // it shows all four
     add_common_options(*parser, *common, "The folder that is written to; made when it is missing");

@@ -33,6 +33,7 @@ Command add_view(CLI::App &root) {
     const auto solving = std::make_shared<SolvingOptions>();
     const auto setup = std::make_shared<ViewerSetup>();
     solving->scene = "figure-4";
+    solving->options.threshold = paper_threshold;
     parser->add_option("FILE", solving->scene, "An OBJ or glTF file, or the name of a bundled scene");
     add_up_option(*parser, *solving);
     add_solving_options(*parser, *solving);

@@ -29,6 +29,17 @@ std::optional<CutChoice> cut_choice_from_name(std::string_view text) {
     return std::nullopt;
 }
 
+std::string_view name(Switch value) {
+    return value == Switch::automatic ? "auto" : value == Switch::on ? "on" : "off";
+}
+
+std::optional<Switch> switch_from_name(std::string_view text) {
+    for (const Switch s : all_switches)
+        if (name(s) == text)
+            return s;
+    return std::nullopt;
+}
+
 std::optional<Strategy> strategy_from_name(std::string_view text) {
     for (const Strategy s : all_strategies)
         if (name(s) == text)

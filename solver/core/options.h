@@ -40,6 +40,18 @@ inline constexpr CutChoice all_cut_choices[] = {CutChoice::curves, CutChoice::be
 std::string_view name(CutChoice choice);
 std::optional<CutChoice> cut_choice_from_name(std::string_view name);
 
+/// At which the paper's figures come out: about its counts of patches for all four strategies, and its three for (d).
+inline constexpr double paper_threshold = 0.03;
+
+/// What is decided from the scene unless somebody decides.
+enum class Switch { automatic, on, off };
+
+inline constexpr Switch all_switches[] = {Switch::automatic, Switch::on, Switch::off};
+
+/// `auto`, `on`, `off`; the public names.
+std::string_view name(Switch value);
+std::optional<Switch> switch_from_name(std::string_view name);
+
 struct Options {
     Strategy strategy = Strategy::discontinuity_wavelet;
     BasisFamily basis = BasisFamily::parametric;
@@ -57,6 +69,8 @@ struct Options {
     double least_gain = 0.1;
     /// Strategies that cut trace the curves of a reflector, too, when a node fails because of its light.
     bool reflector_curves = true;
+    /// Each step goes on with a constant on each surface, solved for directly (iteration/coarse_correction.h).
+    Switch coarse_correction = Switch::automatic;
     /// 0: all cores.
     int threads = 0;
 

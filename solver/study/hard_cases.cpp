@@ -9,7 +9,7 @@ namespace penumbra {
 
 std::vector<HardCase> hard_cases() {
     std::vector<HardCase> shelf;
-    for (const auto &group : {touching_cases, blocker_cases, shape_cases, closed_room_cases})
+    for (const auto &group : {touching_cases, blocker_cases, shape_cases, cutting_cases, moved_cases, closed_room_cases})
         std::ranges::move(group(), std::back_inserter(shelf));
     return shelf;
 }

@@ -14,18 +14,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Scene scene_of(const Faces &faces) {
-    RawScene raw;
-    raw.name = "trial";
-    for (const Face &face : faces) {
-        const int number = static_cast<int>(raw.faces.size());
-        const std::string name = std::to_string(number);
-        raw.materials.push_back({"material " + name, Rgb::Constant(face.reflectance), Rgb::Constant(face.exitance)});
-        raw.faces.push_back({"face " + name, "trial:" + name, number, false, face.corners});
-    }
-    return build_scene(std::move(raw));
-}
-
 double least_radiosity(const Trial &trial) {
     double least = 0;
     for (const Element &e : trial.state->forest.elements) {
@@ -44,6 +32,18 @@ double least_radiosity(const Trial &trial) {
 }
 
 } // namespace
+
+Scene scene_of(const Faces &faces) {
+    RawScene raw;
+    raw.name = "trial";
+    for (const Face &face : faces) {
+        const int number = static_cast<int>(raw.faces.size());
+        const std::string name = std::to_string(number);
+        raw.materials.push_back({"material " + name, Rgb::Constant(face.reflectance), Rgb::Constant(face.exitance)});
+        raw.faces.push_back({"face " + name, "trial:" + name, number, false, face.corners});
+    }
+    return build_scene(std::move(raw));
+}
 
 Face parallelogram(const Vec3 &corner, const Vec3 &a, const Vec3 &b, double reflectance, double exitance) {
     return {{corner, corner + a, corner + a + b, corner + b}, reflectance, exitance};

@@ -24,6 +24,8 @@ Face parallelogram(const Vec3 &corner, const Vec3 &a, const Vec3 &b, double refl
 /// The six walls of a box from 0 to `far`, looking inwards.
 Faces room(const Vec3 &far, double reflectance, double exitance = 0);
 
+Scene scene_of(const Faces &faces);
+
 struct TrialSetting {
     Options options;
     const Cancel *cancel = nullptr;

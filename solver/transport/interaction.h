@@ -48,6 +48,7 @@ struct Transport {
     const Scene &scene;
     const Blockers &blockers;
     double accuracy = 1e-4; ///< of a link's coefficients, relative to K_00
+    double constant_accuracy = 1e-4; ///< of those for the source's constant function, where more exact than `accuracy`
     const Cancel *cancel = nullptr;
 };
 
