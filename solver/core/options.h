@@ -66,7 +66,7 @@ struct Options {
     CutChoice cut = CutChoice::curves;
     /// A curve is cut along if that lowers the fit's root mean square error on the node, taken as the root of what the
     /// squares lose, by more than this share of the misfit that the oracle lets pass. 0: every curve is a candidate.
-    double least_gain = 0.1;
+    double least_gain = 0.07;
     /// Strategies that cut trace the curves of a reflector, too, when a node fails because of its light.
     bool reflector_curves = true;
     /// Each step goes on with a constant on each surface, solved for directly (iteration/coarse_correction.h).
