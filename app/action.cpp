@@ -1,6 +1,7 @@
 #include "action.h"
 
 #include "keyhole_verbs.h"
+#include "microscope_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -37,6 +38,14 @@ template <Layout layout>
 bool uses_layout(const State &s) {
     return s.layout == layout;
 }
+template <Inspector inspector>
+void use_inspector(State &s) {
+    toggle_inspector(s, inspector);
+}
+template <Inspector inspector>
+bool uses_inspector(const State &s) {
+    return s.inspector == inspector;
+}
 template <Shading shading>
 void use_shading(State &s) {
     s.look.shading = shading;
@@ -67,6 +76,8 @@ void cancel(State &s) {
         s.pinned_curve.reset();
     } else if (s.keyhole.open) {
         s.keyhole.open = false;
+    } else if (s.inspector != Inspector::none && !can_cancel(s)) {
+        s.inspector = Inspector::none;
     } else if (can_cancel(s)) {
         s.cancel_request = true;
         s.halted = true;
@@ -163,6 +174,11 @@ const std::vector<Action> &list() {
         {"view.keyhole", Menu::view, "Keyhole",
          "Shows what a point sees of each light; drag the point over a surface.", {"K"}, toggle_keyhole, has_scene,
          [](const State &s) { return s.keyhole.open; }},
+        {"view.filters", Menu::view, "Filter microscope",
+         "Shows the push and pull filters of the split that made a patch; click one.", {"T"},
+         use_inspector<Inspector::filters>, has_scene, uses_inspector<Inspector::filters>},
+        {"view.hard_cases", Menu::view, "Hard cases", "The shelf of small scenes that are hard to solve, and their checks.",
+         {"H"}, use_inspector<Inspector::hard_cases>, nullptr, uses_inspector<Inspector::hard_cases>},
         {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop, in all panes.", {"E"},
          [](State &s) { change_exposure(s, 0.5); }},
         {"view.darker", Menu::view, "Darker", "Exposure down by half a stop, in all panes.", {"Shift+E"},

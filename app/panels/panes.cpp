@@ -1,7 +1,9 @@
 #include "keyhole_verbs.h"
+#include "microscope_verbs.h"
 #include "panels/controls.h"
 #include "panels/navigation.h"
 #include "panels/panels.h"
+#include "panels/split_sketch.h"
 #include "render/event_note.h"
 #include "render/pick_curve.h"
 #include "render/surface_role.h"
@@ -116,6 +118,8 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
         zoom_by(state, static_cast<double>(io.MouseWheel), point_under(state, snapshot.get(), aspect, at));
     if (snapshot)
         state.under_cursor = pick(*snapshot, state.camera, aspect, at.x, at.y);
+    if (state.inspector == Inspector::filters && state.under_cursor && clicked() && !held)
+        pick_split(state, {state.under_cursor->surface, state.under_cursor->point});
     if (snapshot && snapshot->curves && !held && !state.keyhole.dragging)
         point_at_curves(state, *snapshot, rect, at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -200,6 +204,8 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
             below = height;
     }
     draw_legends(state, list, fonts, arrangement, below);
+    for (const WindowRect &rect : arrangement.pane)
+        draw_split_outline(state, list, rect);
     draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
     ImGui::End();

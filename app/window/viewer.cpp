@@ -234,6 +234,7 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     if (!state_.panels_hidden) {
         draw_tool_bar(state_, arrangement.tool_bar);
         draw_side_panel(state_, arrangement.side);
+        draw_inspector(state_, arrangement.inspector);
         draw_transport(state_, arrangement.transport);
         draw_status_bar(state_, arrangement.status);
     }

@@ -1,0 +1,69 @@
+#include "panels/matrix_map.h"
+
+#include "panels/controls.h"
+#include "panels/words.h"
+#include "render/diverging.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+namespace {
+
+ImU32 colour(double t) {
+    const glm::dvec3 c = diverging(t);
+    return ImGui::ColorConvertFloat4ToU32(
+        {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
+}
+
+} // namespace
+
+std::optional<MatrixCell> draw_matrix_map(const char *name, const Eigen::MatrixXd &matrix, double range, float side) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
+    ImGui::InvisibleButton(name, {side, side});
+    const bool hovered = ImGui::IsItemHovered();
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float wide = side / static_cast<float>(matrix.cols()), high = side / static_cast<float>(matrix.rows());
+    const float gap = std::min(wide, high) > 6 ? 1 : 0;
+    std::optional<MatrixCell> found;
+    for (int i = 0; i < matrix.rows(); ++i)
+        for (int j = 0; j < matrix.cols(); ++j) {
+            const ImVec2 low{std::round(corner.x + static_cast<float>(j) * wide),
+                             std::round(corner.y + static_cast<float>(i) * high)},
+                high_end{std::round(corner.x + static_cast<float>(j + 1) * wide) - gap,
+                         std::round(corner.y + static_cast<float>(i + 1) * high) - gap};
+            list.AddRectFilled(low, high_end, colour(range > 0 ? matrix(i, j) / range : 0));
+            if (hovered && mouse.x >= low.x && mouse.x < high_end.x + gap && mouse.y >= low.y &&
+                mouse.y < high_end.y + gap)
+                found = MatrixCell{i, j};
+            if (found && found->row == i && found->column == j)
+                list.AddRect({low.x - 1, low.y - 1}, {high_end.x + 1, high_end.y + 1},
+                             ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
+        }
+    return found;
+}
+
+void draw_map_scale(double range, float width) {
+    constexpr int n = 48;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = em(0.5f), step = width / n;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    for (int k = 0; k < n; ++k)
+        list.AddRectFilled({corner.x + static_cast<float>(k) * step, corner.y},
+                           {corner.x + static_cast<float>(k + 1) * step, corner.y + height},
+                           colour(2 * (k + 0.5) / n - 1));
+    const std::string low = "\u2212" + number_words(range), high = "+" + number_words(range);
+    const float below = corner.y + height + em(0.1f), size = em(0.85f);
+    const auto write = [&](const std::string &text, float share) {
+        const float wide = ImGui::GetFont()->CalcTextSizeA(size, 1e9f, 0, text.c_str()).x;
+        list.AddText(ImGui::GetFont(), size, {corner.x + share * (width - wide), below},
+                     ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    };
+    write(low, 0);
+    write("0", 0.5f);
+    write(high, 1);
+    ImGui::Dummy({width, height + em(1.1f)});
+}
+
+} // namespace penumbra
