@@ -44,6 +44,22 @@ std::optional<MatrixCell> draw_matrix_map(const char *name, const Eigen::MatrixX
     return found;
 }
 
+void draw_upward(const char *text, float left, float middle, ImU32 colour, float size) {
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const int first = list.VtxBuffer.Size;
+    const float length = ImGui::GetFont()->CalcTextSizeA(size, 1e9f, 0, text).x;
+    const ImVec2 from{std::round(left), std::round(middle + 0.5f * length)};
+    // Written to the right of a place where nothing is clipped, then turned about its beginning.
+    const ImVec2 low = list.GetClipRectMin(), high = list.GetClipRectMax();
+    list.PushClipRect({low.x - 1e4f, low.y - 1e4f}, {high.x + 1e4f, high.y + 1e4f});
+    list.AddText(ImGui::GetFont(), size, from, colour, text);
+    list.PopClipRect();
+    for (int k = first; k < list.VtxBuffer.Size; ++k) {
+        ImVec2 &p = list.VtxBuffer[k].pos;
+        p = {from.x + (p.y - from.y), from.y - (p.x - from.x)};
+    }
+}
+
 void draw_map_scale(double range, float width) {
     constexpr int n = 48;
     const ImVec2 corner = ImGui::GetCursorScreenPos();

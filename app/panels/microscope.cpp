@@ -93,19 +93,41 @@ void tell_cell(AppState &state, const SplitFilters &f, const MapWords &words, co
     ImGui::EndTooltip();
 }
 
-/// Title, what rows and columns stand for, the map, its scale.
+/// At the right end of a title, which is on the line and begins the `width`.
+void write_size(double largest_entry, float width) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const float room = width - ImGui::GetItemRectSize().x - em(0.4f);
+    const std::string text = number_words(largest_entry);
+    const float needed = ImGui::CalcTextSize(text.c_str()).x, shrink = std::min(1.f, room / needed);
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), shrink * em(),
+                                        {low.x + width - shrink * needed, low.y + 0.5f * (1 - shrink) * em()},
+                                        ImGui::GetColorU32(ImGuiCol_CheckMark), text.c_str());
+}
+
+/// Title, the map between what its columns and rows stand for, its scale.
 void draw_map(AppState &state, const SplitFilters &f, const MapWords &words, const Eigen::MatrixXd &matrix,
-              double range, float side) {
+              double range, float left, float side, bool tells_size = false) {
+    const bool zero = range < rounding;
+    const float size = em(0.9f), margin = em(1.15f);
+    ImGui::SetCursorPosX(left);
     ImGui::BeginGroup();
     ImGui::TextUnformatted(words.title.c_str());
     tell(words);
-    ImGui::TextDisabled("\u2192 %ss", words.columns);
-    ImGui::TextDisabled("\u2193 %ss", words.rows);
-    const bool zero = range < rounding;
+    if (tells_size)
+        write_size(range, margin + side);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string columns = std::string(words.columns) + "s", rows = std::string(words.rows) + "s";
+    const ImU32 quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    const float length = ImGui::GetFont()->CalcTextSizeA(size, 1e9f, 0, columns.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size, {at.x + margin + 0.5f * (side - length), at.y}, quiet,
+                                        columns.c_str());
+    draw_upward(rows.c_str(), at.x, at.y + margin + 0.5f * side, quiet, size);
+    ImGui::SetCursorScreenPos({at.x + margin, at.y + margin});
     const auto cell = draw_matrix_map(words.name, matrix, zero ? 0 : range, side);
     mark(state, std::string("map ") + words.name);
     if (cell)
         tell_cell(state, f, words, matrix, *cell);
+    ImGui::SetCursorScreenPos({at.x + margin, at.y + margin + side + em(0.3f)});
     if (zero)
         ImGui::TextDisabled("0 to rounding");
     else
@@ -115,8 +137,8 @@ void draw_map(AppState &state, const SplitFilters &f, const MapWords &words, con
 
 std::string how_split(const SplitFilters &f) {
     if (f.kind == SplitKind::cut)
-        return "cut along a line in " + std::to_string(f.pieces.size());
-    return f.pieces.size() == 4 ? "split uniformly in 4" : "halved";
+        return "cut in two";
+    return f.pieces.size() == 4 ? "split in four" : "halved";
 }
 
 /// In words what the two numbers mean for this very split.
@@ -125,10 +147,10 @@ std::string verdict(const SplitFilters &f) {
     const bool lossless = largest(f.loss) < rounding;
     if (related && lossless)
         return f.basis == BasisFamily::planar
-                   ? "Pull is push turned over, times C, and a trip down and up loses nothing: in this basis for every "
+                   ? "Pull is push transposed, times C, and a trip down and up loses nothing: in this basis for every "
                      "cut."
-                   : "Here A(u\u2032,v\u2032) is constant: pull is push turned over, times C, and nothing is lost.";
-    return "A(u\u2032,v\u2032) varies over a slanted cut: pull is not push turned over, and a trip down and up changes "
+                   : "Here A(u\u2032,v\u2032) is constant: pull is push transposed, times C, and nothing is lost.";
+    return "A(u\u2032,v\u2032) varies over a slanted cut: pull is not push transposed, and a trip down and up changes "
            "some functions, here by up to " +
            number_words(largest(f.loss)) + ".";
 }
@@ -139,8 +161,7 @@ void draw_which(AppState &state, const SplitFilters &f) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted((surface_name(*snapshot, f.surface) + ": an element " + how_split(f)).c_str());
     ImGui::PopTextWrapPos();
-    ImGui::TextDisabled("%s basis, M = %d, %d functions", name(f.basis).data(), f.order,
-                        static_cast<int>(f.loss.rows()));
+    ImGui::TextDisabled("%s, M = %d: %d functions", name(f.basis).data(), f.order, static_cast<int>(f.loss.rows()));
     ImGui::BeginDisabled(m.outward >= m.n_splits - 1);
     if (choice(state, "microscope.outward", "larger", false, "To the split that made this element."))
         step_outward(state, 1);
@@ -174,7 +195,7 @@ void draw_filters(AppState &state, const SplitFilters &f) {
     const std::string child = "child " + std::to_string(state.microscope.piece + 1);
     const MapWords push{
         "push",
-        "Push: parent \u2192 " + child,
+        "Push to " + child,
         "child's function",
         "parent's function",
         "Gives the child's coefficients from its parent's: light that was gathered above is carried down.",
@@ -182,7 +203,7 @@ void draw_filters(AppState &state, const SplitFilters &f) {
         "b\u207d\u2070\u207e\u2099",
         "Bouatouch & Pattanaik 1995, equation (6)"};
     const MapWords pull{"pull",
-                        "Pull: " + child + " \u2192 parent",
+                        "Pull from " + child,
                         "parent's function",
                         "child's function",
                         "Gives what the child adds to its parent's coefficients: the light of the pieces is summed up.",
@@ -194,28 +215,30 @@ void draw_filters(AppState &state, const SplitFilters &f) {
         "pull \u2212 C\u00b7push\u1d40",
         "parent's function",
         "child's function",
-        "What pull has beyond push turned over and multiplied by C. Zero: one filter gives the other.",
+        "What pull has beyond push transposed and multiplied by C. Zero: one filter gives the other.",
         "c\u207d\u00b9\u2192\u2070\u207e\u2098\u2099 \u2212 C c\u207d\u2070\u2192\u00b9\u207e\u2099\u2098",
         "Bouatouch & Pattanaik 1995, below equation (7)"};
     const MapWords loss{"loss",
-                        "\u03a3 pull\u00b7push \u2212 1",
+                        "\u03a3 pull\u00b7push \u2212 I",
                         "parent's function",
                         "parent's function",
                         "What a trip down to all children and up again changes. Zero: nothing is lost.",
                         "\u03a3 pull push \u2212 I, over all children",
                         "Bouatouch & Pattanaik 1995, equations (6) and (7)"};
-    const float gap = em(0.8f), width = ImGui::GetContentRegionAvail().x;
-    const float text = 3 * ImGui::GetTextLineHeightWithSpacing() + em(2.2f);
-    const float rest = ImGui::GetContentRegionAvail().y - 2 * text - ImGui::GetTextLineHeightWithSpacing();
-    const float side = std::floor(std::clamp(rest / 2, em(6), (width - gap) / 2));
-    const float second = side + gap;
+    const float margin = em(1.15f), gap = em(0.9f), width = ImGui::GetContentRegionAvail().x;
+    const float line = ImGui::GetTextLineHeightWithSpacing(), text = line + margin + em(2.2f);
+    const float rest = ImGui::GetContentRegionAvail().y - 2 * text;
+    const float side = std::floor(std::clamp(rest / 2, em(6), (width - gap) / 2 - margin));
+    const float left = ImGui::GetCursorPosX(), right = left + margin + side + gap;
     const double range = std::max(largest(piece.push), largest(piece.pull));
-    draw_map(state, f, push, piece.push, range, side);
-    ImGui::SameLine(0, second - side);
-    draw_map(state, f, pull, piece.pull, range, side);
-    draw_map(state, f, difference, piece.difference, largest(piece.difference), side);
-    ImGui::SameLine(0, second - side);
-    draw_map(state, f, loss, f.loss, largest(f.loss), side);
+    const float top = ImGui::GetCursorPosY();
+    draw_map(state, f, push, piece.push, range, left, side);
+    ImGui::SetCursorPosY(top);
+    draw_map(state, f, pull, piece.pull, range, right, side);
+    const float middle = ImGui::GetCursorPosY();
+    draw_map(state, f, difference, piece.difference, largest(piece.difference), left, side, true);
+    ImGui::SetCursorPosY(middle);
+    draw_map(state, f, loss, f.loss, largest(f.loss), right, side, true);
 }
 
 } // namespace
@@ -232,7 +255,7 @@ void draw_microscope(AppState &state) {
         ImGui::PopTextWrapPos();
         return;
     }
-    const int clicked = draw_split_sketch(state, *shown, state.microscope.piece, em(7));
+    const int clicked = draw_split_sketch(state, *shown, state.microscope.piece, em(6));
     if (clicked >= 0)
         state.microscope.piece = clicked;
     ImGui::SameLine(0, em(0.8f));
