@@ -2,6 +2,7 @@
 
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
+#include "shelf_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -76,6 +77,8 @@ void cancel(State &s) {
         s.pinned_curve.reset();
     } else if (s.keyhole.open) {
         s.keyhole.open = false;
+    } else if (s.shelf.checking) {
+        stop_check(s);
     } else if (s.inspector != Inspector::none && !can_cancel(s)) {
         s.inspector = Inspector::none;
     } else if (can_cancel(s)) {
@@ -139,6 +142,11 @@ const std::vector<Action> &list() {
         {"solve.end", Menu::solve, "To the end", "Iterates until nothing changes any more.", {"End"}, go<far_ahead>,
          can_go_on},
         {"solve.cancel", Menu::solve, "Cancel", "Stops the solver; the last complete state stays.", {"Escape"}, cancel},
+
+        {"check.all", Menu::solve, "Check the hard cases", "Solves every case of the shelf in both bases and measures it.",
+         {"Shift+H"}, check_shelf, [](const State &s) { return !s.shelf.checking; }},
+        {"check.stop", Menu::solve, "Stop checking", "What has been measured stays.", {}, stop_check,
+         [](const State &s) { return s.shelf.checking; }},
 
         {"strategy.a", Menu::strategy, "(a) Uniform meshing, constant basis",
          "Splits in four where the fit is poor; one value a patch.", {"1"}, use_strategy<Strategy::uniform_constant>,

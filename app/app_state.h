@@ -9,6 +9,7 @@
 #include "render/look.h"
 #include "render/pick.h"
 #include "scene/scene.h"
+#include "shelf.h"
 #include "timeline.h"
 
 #include <algorithm>
@@ -120,6 +121,7 @@ struct AppState {
     KeyholeMode keyhole;
     Inspector inspector = Inspector::none;
     Microscope microscope;
+    Shelf shelf;
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins
     std::optional<glm::dvec3> orbit_pivot; ///< of the drag that is going on
     std::optional<glm::dvec3> drag_anchor; ///< point that a pan keeps under the mouse

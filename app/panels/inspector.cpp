@@ -14,6 +14,8 @@ void draw_inspector(AppState &state, const WindowRect &rect) {
     action_button(state, "view.hard_cases", nullptr, {half, 0});
     if (state.inspector == Inspector::filters)
         draw_microscope(state);
+    else
+        draw_hard_cases(state);
     ImGui::End();
 }
 

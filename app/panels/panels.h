@@ -13,6 +13,7 @@ void draw_side_panel(AppState &state, const WindowRect &rect);   ///< layers, op
 void draw_curve_filter(AppState &state);                          ///< in the side panel
 void draw_inspector(AppState &state, const WindowRect &rect);    ///< where it is open
 void draw_microscope(AppState &state);                            ///< in the inspector
+void draw_hard_cases(AppState &state);                            ///< in the inspector
 void draw_transport(AppState &state, const WindowRect &rect);    ///< step, play, the course so far, cancel
 void draw_status_bar(AppState &state, const WindowRect &rect);
 /// Labels and legends over the panes, and the mouse in them.
