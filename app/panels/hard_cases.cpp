@@ -87,6 +87,23 @@ void tell_verdict(const ShelfCase &c, const CaseVerdict &v, const char *basis) {
     ImGui::EndTooltip();
 }
 
+/// On as many lines as it takes, broken after hyphens.
+std::string in_lines(const std::string &name, float width) {
+    std::string text;
+    std::size_t line = 0; // where it begins
+    for (std::size_t from = 0; from < name.size();) {
+        const std::size_t to = std::min(name.find('-', from), name.size() - 1) + 1;
+        const std::string part = name.substr(from, to - from);
+        if (text.size() > line && ImGui::CalcTextSize((text.substr(line) + part).c_str()).x > width) {
+            text += '\n';
+            line = text.size();
+        }
+        text += part;
+        from = to;
+    }
+    return text;
+}
+
 /// The request goes out after the row: opening changes what the panels stand on.
 struct Click {
     std::size_t index;
@@ -98,11 +115,12 @@ void draw_badge(AppState &state, const ShelfCase &c, std::size_t index, BasisFam
     const CaseVerdict &v = c.verdicts[static_cast<std::size_t>(basis)];
     const std::string basis_name(name(basis)), id = "case " + c.name + " " + basis_name;
     const bool ran = v.status != CaseStatus::not_run;
-    ImGui::PushStyleColor(ImGuiCol_Button, badge_colour(v.status));
+    for (const ImGuiCol part : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
+        ImGui::PushStyleColor(part, badge_colour(v.status));
     ImGui::PushStyleColor(ImGuiCol_Text, ran ? ImVec4(1, 1, 1, 1) : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     if (ImGui::SmallButton((badge_words(v) + "##" + id).c_str()))
         click = Click{index, basis};
-    ImGui::PopStyleColor(2);
+    ImGui::PopStyleColor(4);
     mark(state, id);
     if (ImGui::IsItemHovered())
         tell_verdict(c, v, basis_name.c_str());
@@ -116,8 +134,10 @@ void draw_head(AppState &state) {
                   {em(6), 0});
     ImGui::SameLine();
     const std::string progress = std::to_string(ok + failed) + " of " + std::to_string(all);
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_Header));
     ImGui::ProgressBar(static_cast<float>(ok + failed) / static_cast<float>(std::max(1, all)), {-1, 0},
                        ok + failed > 0 || shelf.checking ? progress.c_str() : "");
+    ImGui::PopStyleColor();
     mark(state, "check progress");
     ImGui::PushTextWrapPos(0);
     if (ok + failed == 0)
@@ -151,7 +171,8 @@ void draw_hard_cases(AppState &state) {
         const ShelfCase &c = state.shelf.cases[i];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        if (ImGui::Selectable((c.name + "##case").c_str(), state.scene && state.scene->name == c.name))
+        if (ImGui::Selectable((in_lines(c.name, ImGui::GetContentRegionAvail().x) + "##" + c.name).c_str(),
+                              state.scene && state.scene->name == c.name))
             click = Click{i, std::nullopt};
         mark(state, "case " + c.name);
         tooltip(c.name, c.what + ". A click opens its scene.");
