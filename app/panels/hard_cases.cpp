@@ -26,7 +26,7 @@ std::string figure_of(const CaseVerdict &v) {
             worst = &m;
     if (!worst)
         return "";
-    return std::isfinite(excess(*worst)) ? number_words(excess(*worst)) + "\u00d7" : number_words(worst->value);
+    return std::isfinite(excess(*worst)) ? power_words(excess(*worst)) + "\u00d7" : power_words(worst->value, 2);
 }
 
 std::string badge_words(const CaseVerdict &v) {
@@ -74,9 +74,9 @@ void tell_verdict(const ShelfCase &c, const CaseVerdict &v, const char *basis) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(m.quantity.c_str());
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(number_words(m.value).c_str());
+            ImGui::TextUnformatted(power_words(m.value).c_str());
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(number_words(m.bound).c_str());
+            ImGui::TextUnformatted(power_words(m.bound).c_str());
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(m.holds() ? "ok" : "failed");
         }

@@ -17,6 +17,17 @@ ImU32 colour(double t) {
         {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
 }
 
+std::string value_words(double value) { return power_words(std::abs(value) < 1e-12 ? 0 : value, 2); }
+
+/// In every cell, or in none: where one of them has not room enough.
+bool has_room_for_values(const Eigen::MatrixXd &matrix, float wide, float size) {
+    float widest = 0;
+    for (Eigen::Index k = 0; k < matrix.size(); ++k)
+        widest =
+            std::max(widest, ImGui::GetFont()->CalcTextSizeA(size, 1e9f, 0, value_words(matrix.data()[k]).c_str()).x);
+    return widest + em(0.2f) < wide;
+}
+
 } // namespace
 
 std::optional<MatrixCell> draw_matrix_map(const char *name, const Eigen::MatrixXd &matrix, double range, float side) {
@@ -26,6 +37,7 @@ std::optional<MatrixCell> draw_matrix_map(const char *name, const Eigen::MatrixX
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const float wide = side / static_cast<float>(matrix.cols()), high = side / static_cast<float>(matrix.rows());
     const float gap = std::min(wide, high) > 6 ? 1 : 0;
+    const bool written = has_room_for_values(matrix, wide, em(0.8f));
     std::optional<MatrixCell> found;
     for (int i = 0; i < matrix.rows(); ++i)
         for (int j = 0; j < matrix.cols(); ++j) {
@@ -33,7 +45,16 @@ std::optional<MatrixCell> draw_matrix_map(const char *name, const Eigen::MatrixX
                              std::round(corner.y + static_cast<float>(i) * high)},
                 high_end{std::round(corner.x + static_cast<float>(j + 1) * wide) - gap,
                          std::round(corner.y + static_cast<float>(i + 1) * high) - gap};
-            list.AddRectFilled(low, high_end, colour(range > 0 ? matrix(i, j) / range : 0));
+            const double t = range > 0 ? matrix(i, j) / range : 0;
+            list.AddRectFilled(low, high_end, colour(t));
+            if (written) {
+                const std::string text = value_words(matrix(i, j));
+                const ImVec2 size = ImGui::GetFont()->CalcTextSizeA(em(0.8f), 1e9f, 0, text.c_str());
+                list.AddText(ImGui::GetFont(), em(0.8f),
+                             {0.5f * (low.x + high_end.x - size.x), 0.5f * (low.y + high_end.y - size.y)},
+                             std::abs(t) > 0.4 ? IM_COL32(255, 255, 255, 255) : IM_COL32(20, 20, 20, 255),
+                             text.c_str());
+            }
             if (hovered && mouse.x >= low.x && mouse.x < high_end.x + gap && mouse.y >= low.y &&
                 mouse.y < high_end.y + gap)
                 found = MatrixCell{i, j};
@@ -69,7 +90,8 @@ void draw_map_scale(double range, float width) {
         list.AddRectFilled({corner.x + static_cast<float>(k) * step, corner.y},
                            {corner.x + static_cast<float>(k + 1) * step, corner.y + height},
                            colour(2 * (k + 0.5) / n - 1));
-    const std::string low = "\u2212" + number_words(range), high = "+" + number_words(range);
+    const int digits = range < 1e-3 ? 2 : 3;
+    const std::string low = power_words(-range, digits), high = "+" + power_words(range, digits);
     const float below = corner.y + height + em(0.1f), size = em(0.85f);
     const auto write = [&](const std::string &text, float share) {
         const float wide = ImGui::GetFont()->CalcTextSizeA(size, 1e9f, 0, text.c_str()).x;

@@ -81,7 +81,7 @@ void tell_cell(AppState &state, const SplitFilters &f, const MapWords &words, co
                                std::to_string(cell.column) + " " + number_words(value);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(em(24));
-    ImGui::Text("%.6g", std::abs(value) < rounding / 1e3 ? 0.0 : value);
+    ImGui::TextUnformatted(power_words(value, 6).c_str());
     const bool child_columns = std::string_view(words.columns) == "child's function";
     ImGui::TextUnformatted(("row, " + row_function(f, words, cell.row)).c_str());
     ImGui::TextUnformatted(("column, " + std::string(words.columns) + " " + std::to_string(cell.column) + ": " +
@@ -97,7 +97,7 @@ void tell_cell(AppState &state, const SplitFilters &f, const MapWords &words, co
 void write_size(double largest_entry, float width) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const float room = width - ImGui::GetItemRectSize().x - em(0.4f);
-    const std::string text = number_words(largest_entry);
+    const std::string text = power_words(largest_entry, 2);
     const float needed = ImGui::CalcTextSize(text.c_str()).x, shrink = std::min(1.f, room / needed);
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), shrink * em(),
                                         {low.x + width - shrink * needed, low.y + 0.5f * (1 - shrink) * em()},
@@ -152,7 +152,7 @@ std::string verdict(const SplitFilters &f) {
                    : "Here A(u\u2032,v\u2032) is constant: pull is push transposed, times C, and nothing is lost.";
     return "A(u\u2032,v\u2032) varies over a slanted cut: pull is not push transposed, and a trip down and up changes "
            "some functions, here by up to " +
-           number_words(largest(f.loss)) + ".";
+           power_words(largest(f.loss), 2) + ".";
 }
 
 void draw_which(AppState &state, const SplitFilters &f) {
@@ -161,7 +161,8 @@ void draw_which(AppState &state, const SplitFilters &f) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted((surface_name(*snapshot, f.surface) + ": an element " + how_split(f)).c_str());
     ImGui::PopTextWrapPos();
-    ImGui::TextDisabled("%s, M = %d: %d functions", name(f.basis).data(), f.order, static_cast<int>(f.loss.rows()));
+    ImGui::TextDisabled(f.loss.rows() == 1 ? "%s, M = %d: %d function" : "%s, M = %d: %d functions",
+                        name(f.basis).data(), f.order, static_cast<int>(f.loss.rows()));
     ImGui::BeginDisabled(m.outward >= m.n_splits - 1);
     if (choice(state, "microscope.outward", "larger", false, "To the split that made this element."))
         step_outward(state, 1);
@@ -184,7 +185,7 @@ void draw_which(AppState &state, const SplitFilters &f) {
     }
     ImGui::SameLine();
     const double share = f.pieces[static_cast<std::size_t>(m.piece)].share;
-    ImGui::TextDisabled("C = %s", number_words(share).c_str());
+    ImGui::TextDisabled("C = %s", power_words(share).c_str());
     tooltip("C", f.basis == BasisFamily::planar
                      ? "The child's share of its parent's area."
                      : "The child's share of its parent's parameter square: the mean of A(u\u2032,v\u2032).");
@@ -241,6 +242,23 @@ void draw_filters(AppState &state, const SplitFilters &f) {
     draw_map(state, f, loss, f.loss, largest(f.loss), right, side, true);
 }
 
+void say_why_not(AppState &state) {
+    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto &at = state.microscope.at;
+    const bool any = snapshot && !snapshot->splits.empty();
+    ImGui::PushTextWrapPos(0);
+    if (any && at && at->surface < static_cast<int>(snapshot->surfaces.size()))
+        ImGui::TextUnformatted((surface_name(*snapshot, at->surface) +
+                                " has not been split there. Click another patch, or take a step (\u2192).")
+                                   .c_str());
+    else
+        ImGui::TextUnformatted("Nothing has been split yet: take a step (\u2192), then click a patch.");
+    ImGui::PopTextWrapPos();
+    if (any &&
+        choice(state, "microscope.largest", "Show the largest cut", false, "Where cuts are; or the largest split."))
+        state.microscope = {};
+}
+
 } // namespace
 
 void draw_microscope(AppState &state) {
@@ -248,11 +266,7 @@ void draw_microscope(AppState &state) {
     update_microscope(state);
     const auto shown = state.microscope.shown;
     if (!shown) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(
-            state.microscope.at ? "This surface has not been split there: click another patch, or take a step (\u2192)."
-                                : "Nothing has been split yet: take a step (\u2192), then click a patch.");
-        ImGui::PopTextWrapPos();
+        say_why_not(state);
         return;
     }
     const int clicked = draw_split_sketch(state, *shown, state.microscope.piece, em(6));

@@ -65,7 +65,7 @@ void point_at_curves(AppState &state, const Snapshot &snapshot, const WindowRect
                                   static_cast<double>(em(curve_reach)), state.look.curve_filter);
     if (found)
         state.hovered_curve = found->curve;
-    if (clicked())
+    if (clicked() && state.inspector != Inspector::filters) // which takes clicks for itself
         state.pinned_curve = state.hovered_curve;
     else if (found && !ImGui::IsItemActive() && state.pinned_curve != found->curve)
         tell_curve(snapshot, found->curve);
@@ -204,8 +204,10 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
             below = height;
     }
     draw_legends(state, list, fonts, arrangement, below);
-    for (const WindowRect &rect : arrangement.pane)
-        draw_split_outline(state, list, rect);
+    const std::vector<Strategy> shown = state.shown();
+    for (std::size_t pane = 0; pane < arrangement.pane.size(); ++pane)
+        if (shown[pane] == state.active_strategy())
+            draw_split_outline(state, list, arrangement.pane[pane]);
     draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
     ImGui::End();

@@ -34,6 +34,26 @@ void write_number(ImDrawList &list, const ImVec2 &at, std::size_t piece, ImU32 c
     list.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, colour, text.c_str());
 }
 
+/// Quarter turns after which a drawing in the surface's frame stands most nearly as the camera sees it.
+Eigen::Matrix2d turn_to_view(const Camera &camera, const SnapshotSurface &s) {
+    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye),
+                     right = glm::normalize(glm::cross(ahead, camera.up)), up = glm::cross(right, ahead);
+    const auto seen = [&](const Vec3 &v) {
+        const glm::dvec3 w(v.x(), v.y(), v.z());
+        return Vec2(glm::dot(w, right), glm::dot(w, up));
+    };
+    const Vec2 u = seen(s.u), v = seen(s.v);
+    const Eigen::Matrix2d quarter{{0, -1}, {1, 0}};
+    Eigen::Matrix2d turn = Eigen::Matrix2d::Identity(), best = turn;
+    double most = -1e300;
+    for (int k = 0; k < 4; ++k, turn = quarter * turn)
+        if (const double match = turn.col(0).dot(u) + turn.col(1).dot(v); match > most + 1e-9) {
+            most = match;
+            best = turn;
+        }
+    return best;
+}
+
 bool holds(const std::vector<Vec2> &corners, const Vec2 &p) {
     return std::ranges::all_of(half_planes(corners), [&](const HalfPlane &h) { return h.value(p) >= 0; });
 }
@@ -45,16 +65,19 @@ int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, 
     const bool clicked = ImGui::InvisibleButton("split sketch", {side, side});
     mark(state, "split sketch");
     tooltip("The element and its pieces", "Click a piece to look at its filters.");
-    Vec2 low = filters.corners.front(), high = low;
+    Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
+    if (const auto snapshot = state.snapshot(state.active_strategy()))
+        turn = turn_to_view(state.camera, snapshot->surfaces[static_cast<std::size_t>(filters.surface)]);
+    Vec2 low = turn * filters.corners.front(), high = low;
     for (const Vec2 &p : filters.corners) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
+        low = low.cwiseMin(turn * p);
+        high = high.cwiseMax(turn * p);
     }
-    const double scale = static_cast<double>(side) / (high - low).maxCoeff();
+    const double scale = 0.98 * static_cast<double>(side) / (high - low).maxCoeff();
     const Vec2 middle = (low + high) / 2;
     const Vec2 centre(static_cast<double>(corner.x + 0.5f * side), static_cast<double>(corner.y + 0.5f * side));
     const auto at = [&](const Vec2 &p) { // y upward
-        const Vec2 q = scale * 0.98 * (p - middle);
+        const Vec2 q = scale * (turn * p - middle);
         return ImVec2(static_cast<float>(centre.x() + q.x()), static_cast<float>(centre.y() - q.y()));
     };
     const auto outline = [&](const std::vector<Vec2> &corners) {
@@ -65,9 +88,8 @@ int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, 
     ImDrawList &list = *ImGui::GetWindowDrawList();
     int found = -1;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const Vec2 under =
-        middle +
-        Vec2(static_cast<double>(mouse.x) - centre.x(), centre.y() - static_cast<double>(mouse.y)) / (0.98 * scale);
+    const Vec2 off(static_cast<double>(mouse.x) - centre.x(), centre.y() - static_cast<double>(mouse.y));
+    const Vec2 under = turn.transpose() * (middle + off / scale);
     for (std::size_t c = 0; c < filters.pieces.size(); ++c) {
         const auto &corners = filters.pieces[c].corners;
         const bool is_chosen = static_cast<int>(c) == chosen;

@@ -71,6 +71,10 @@ void draw_tool_bar(AppState &state, const WindowRect &rect) {
     action_button(state, "view.four", "2×2", {em(2.6f), 0});
     gap();
     action_button(state, "view.keyhole");
+    ImGui::SameLine();
+    action_button(state, "view.filters", "Filters");
+    ImGui::SameLine();
+    action_button(state, "view.hard_cases");
     const float help = em(1.9f), right = ImGui::GetWindowContentRegionMax().x;
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - help));
     action_button(state, "help.keys", "?", {help, 0});
