@@ -20,17 +20,18 @@ double largest(const Eigen::MatrixXd &m) { return m.cwiseAbs().maxCoeff(); }
 /// The window's solution, from a solver of our own, and where its points are on the screen.
 class MicroscopeTest : public testing::Test {
 protected:
-    explicit MicroscopeTest(BasisFamily basis = BasisFamily::parametric)
-        : session({"skew-blockers", "--basis", std::string(name(basis))}) {
+    explicit MicroscopeTest(BasisFamily basis = BasisFamily::parametric, const std::string &scene = "skew-blockers",
+                            int n_steps = 4)
+        : session({scene, "--basis", std::string(name(basis))}) {
         Options options;
         options.basis = basis;
-        Solver solver(std::make_shared<const Scene>(open_scene("skew-blockers")), options);
-        for (int k = 0; k < 4; ++k) {
+        Solver solver(std::make_shared<const Scene>(open_scene(scene)), options);
+        for (int k = 0; k < n_steps; ++k) {
             solver.step();
             session.key("Right");
         }
         snapshot = solver.snapshot();
-        session.wait_until("four steps", [](const Json &s) { return s["position"] == 12; });
+        session.wait_until("the steps", [&](const Json &s) { return s["position"] == 3 * n_steps; });
         session.settled();
         session.key("t");
         session.wait_until("the microscope", [](const Json &s) { return s["inspector"] == "filters"; });
@@ -129,6 +130,55 @@ TEST_F(MicroscopeTest, OutwardAndBack) {
     expect_shown(s["microscope"], above[1], snapshot->splits[static_cast<std::size_t>(above[0])].place.piece);
     session.click("microscope.inward");
     session.wait_until("inward", [](const Json &now) { return now["microscope"]["outward"] == 0; });
+}
+
+TEST_F(MicroscopeTest, AClickOnACurveIsAClickOnItsPatch) {
+    // Curves are dense where cuts are: what is meant is the patch.
+    const auto curve = std::ranges::find_if(*snapshot->curves, [&](const SnapshotCurve &c) {
+        return c.receiver == 0 && c.points.size() == 2 && (c.points[1] - c.points[0]).norm() > 0.3;
+    });
+    ASSERT_NE(curve, snapshot->curves->end());
+    const Point at = on_screen((curve->points[0] + curve->points[1]) / 2);
+    session.move(at);
+    session.wait_until("a curve", [](const Json &s) { return s["hovered_curve"].is_number(); });
+    session.click(at);
+    session.settled();
+    EXPECT_TRUE(session.state()["pinned_curve"].is_null());
+    EXPECT_EQ(session.state()["microscope"]["surface"], 0);
+    session.key("t");
+    session.wait_until("closed", [](const Json &s) { return s["inspector"] == "none"; });
+    session.settled();
+    session.click(on_screen((curve->points[0] + curve->points[1]) / 2)); // the pane is wider now
+    session.wait_until("pinned", [](const Json &s) { return s["pinned_curve"].is_number(); });
+}
+
+class RoomMicroscopeTest : public MicroscopeTest {
+protected:
+    RoomMicroscopeTest() : MicroscopeTest(BasisFamily::parametric, "cornell-box", 2) {}
+};
+
+TEST_F(RoomMicroscopeTest, WhereNothingIsSplitItOffersTheLargestCut) {
+    const auto light =
+        std::ranges::find_if(snapshot->surfaces, [](const auto &s) { return s.exitance.maxCoeff() > 0; });
+    ASSERT_NE(light, snapshot->surfaces.end());
+    const Vec2 p = centroid(light->outline);
+    session.click(on_screen(light->origin + p.x() * light->u + p.y() * light->v));
+    session.wait_until("no split", [](const Json &s) {
+        return !s["microscope"].contains("share") && s["widgets"].contains("microscope.largest");
+    });
+    session.click("microscope.largest");
+    const Json s = session.wait_until("a cut", [](const Json &now) { return now["microscope"].contains("share"); });
+    double largest_area = 0, found = -1;
+    for (std::size_t i = 0; i < snapshot->splits.size(); ++i)
+        if (const SnapshotSplit &split = snapshot->splits[i];
+            split.kind == SplitKind::cut && area(split.corners) > largest_area) {
+            largest_area = area(split.corners);
+            found = static_cast<double>(i);
+        }
+    ASSERT_GE(found, 0);
+    const SplitFilters own = split_filters(*snapshot, static_cast<int>(found));
+    EXPECT_EQ(s["microscope"]["kind"], "cut");
+    EXPECT_NEAR(s["microscope"]["loss"].get<double>(), largest(own.loss), 1e-12);
 }
 
 TEST_F(MicroscopeTest, TheMouseReadsTheMaps) {
