@@ -20,8 +20,9 @@ void label(const char *text) {
 
 void draw_scene_choice(AppState &state) {
     label("Scene");
-    ImGui::SetNextItemWidth(em(11));
     const std::string now = !state.opening.empty() ? "opening…" : state.scene ? state.scene->name : "none";
+    const float needed = ImGui::CalcTextSize(now.c_str()).x + ImGui::GetFrameHeight() + em(1);
+    ImGui::SetNextItemWidth(std::clamp(needed, em(11), em(16)));
     const bool open = ImGui::BeginCombo("##scene", now.c_str());
     if (!open)
         mark(state, "scene");
