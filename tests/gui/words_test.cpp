@@ -1,4 +1,5 @@
 // Numbers as the panels print them.
+#include "panels/filter_words.h"
 #include "panels/words.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,28 @@ TEST(Words, PowersOfTen) {
     EXPECT_EQ(power_words(1e21), "1·10²¹");
     EXPECT_EQ(power_words(std::numeric_limits<double>::infinity()), "inf");
     EXPECT_EQ(power_words(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(Words, FunctionsOfBothBases) {
+    SplitFilters f;
+    f.order = 4;
+    EXPECT_EQ(function_words(f, 0, false), "L₀(u) L₀(v)");
+    EXPECT_EQ(function_words(f, 9, true), "L₂(u′) L₁(v′)");
+    f.basis = BasisFamily::planar;
+    EXPECT_EQ(function_words(f, 0, false), "1");
+    EXPECT_EQ(function_words(f, 7, true), "x²y + …");
+}
+
+TEST(Words, TheVerdictFollowsTheNumbers) {
+    SplitFilters f;
+    f.loss = Eigen::MatrixXd::Zero(4, 4);
+    f.pieces.push_back({});
+    f.pieces[0].difference = Eigen::MatrixXd::Zero(4, 4);
+    EXPECT_NE(verdict(f).find("is constant"), std::string::npos);
+    f.basis = BasisFamily::planar;
+    EXPECT_NE(verdict(f).find("for every cut"), std::string::npos);
+    f.loss(3, 2) = -0.11;
+    EXPECT_NE(verdict(f).find("by up to 0.11."), std::string::npos) << verdict(f);
 }
 
 } // namespace
