@@ -53,6 +53,7 @@ void apply(AppState &state, const Opened &opened) {
     state.pinned_curve.reset();
     state.look.curve_filter.source = -1;
     state.keyhole = {};
+    state.microscope = {};
     state.opening.clear();
     state.playing = false;
     state.position = 0;

@@ -84,6 +84,30 @@ Json keyhole(const KeyholeMode &mode) {
     return j;
 }
 
+Json microscope(const Microscope &m) {
+    Json j{{"splits", m.n_splits}, {"outward", m.outward}, {"piece", m.piece}, {"reading", m.reading}};
+    if (!m.shown)
+        return j;
+    const PieceFilters &piece = m.shown->pieces[static_cast<std::size_t>(m.piece)];
+    j["surface"] = m.shown->surface;
+    j["basis"] = name(m.shown->basis);
+    j["kind"] = m.shown->kind == SplitKind::cut ? "cut" : "uniform";
+    j["pieces"] = m.shown->pieces.size();
+    j["share"] = piece.share;
+    j["difference"] = piece.difference.cwiseAbs().maxCoeff();
+    j["loss"] = m.shown->loss.cwiseAbs().maxCoeff();
+    return j;
+}
+
+Json shelf(const Shelf &shelf) {
+    constexpr std::string_view names[] = {"not run", "running", "ok", "failed"};
+    Json j{{"checking", shelf.checking}, {"cases", Json::object()}};
+    for (const ShelfCase &c : shelf.cases)
+        for (const CaseVerdict &v : c.verdicts)
+            j["cases"][c.name].push_back(names[static_cast<std::size_t>(v.status)]);
+    return j;
+}
+
 } // namespace
 
 std::string saved_state_text(const AppState &state) { return saved(state).dump(1); }
@@ -111,6 +135,9 @@ std::string observed_state_text(const AppState &s) {
     j["hovered_curve"] = s.hovered_curve ? Json(*s.hovered_curve) : Json();
     j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
     j["looking"] = keyhole(s.keyhole);
+    j["inspector"] = s.inspector == Inspector::none ? "none" : s.inspector == Inspector::filters ? "filters" : "hard_cases";
+    j["microscope"] = microscope(s.microscope);
+    j["shelf"] = shelf(s.shelf);
     j["picture"] = s.last_picture;
     j["inputs"] = s.inputs;
     j["cancel_ms"] = s.cancel_ms;

@@ -5,6 +5,7 @@
 #include "files/state_text.h"
 #include "keyhole_verbs.h"
 #include "panels/panels.h"
+#include "shelf_verbs.h"
 #include "verbs.h"
 #include "window/take_picture.h"
 #include "window/theme.h"
@@ -47,7 +48,7 @@ Viewer::Viewer(ViewerSetup setup)
       window_("Penumbra", setup_.width, setup_.height,
               {[this](const std::string &key) { on_key(key); },
                [this](const std::string &file) { state_.open_request = file; }}),
-      worker_(setup_.read_scene, GlfwWindow::wake) {}
+      worker_(setup_.read_scene, GlfwWindow::wake), checker_(GlfwWindow::wake) {}
 
 void Viewer::run() {
     while (!state_.quit_request && !window_.should_close()) {
@@ -80,6 +81,10 @@ void Viewer::take_reports() {
         apply(state_, report);
         frames_owed_ = frames_to_settle;
     }
+    for (const CheckReport &report : checker_.take_reports()) {
+        apply(state_, report);
+        frames_owed_ = frames_to_settle;
+    }
 }
 
 /// Passes on to the worker what the actions have asked for.
@@ -94,6 +99,10 @@ void Viewer::serve_requests() {
         worker_.cancel();
         aimed_.reset();
     }
+    if (std::exchange(state_.shelf.stop_request, false))
+        checker_.stop();
+    if (std::exchange(state_.shelf.check_request, false))
+        checker_.start(hard_cases(), state_.options.threads);
     if (auto now = goal(state_); now && now != aimed_) {
         aimed_ = now;
         worker_.aim(std::move(*now));
@@ -234,6 +243,7 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     if (!state_.panels_hidden) {
         draw_tool_bar(state_, arrangement.tool_bar);
         draw_side_panel(state_, arrangement.side);
+        draw_inspector(state_, arrangement.inspector);
         draw_transport(state_, arrangement.transport);
         draw_status_bar(state_, arrangement.status);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app_state.h"
+#include "check_worker.h"
 #include "render/labels.h"
 #include "solve_worker.h"
 #include "window/glfw_window.h"
@@ -54,6 +55,7 @@ private:
     GlfwWindow window_;
     PaneCanvas canvas_;
     SolveWorker worker_;
+    CheckWorker checker_;
     std::optional<Goal> aimed_;
     std::optional<Clock::time_point> cancelled_at_;
     Fonts fonts_;

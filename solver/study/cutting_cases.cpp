@@ -39,7 +39,7 @@ std::vector<Measurement> compare_with_direct(const Faces &in_the_light, const Tr
 /// plane of total degree below the order.
 std::vector<Measurement> nested_cuts(const TrialSetting &setting) {
     const int order = setting.options.order;
-    Forest forest = plant(scene_of({floor(), lamp()}), order, setting.options.basis);
+    Forest forest = plant(*solve({floor(), lamp()}, setting).scene, order, setting.options.basis);
     const ElementId root = forest.roots[0][0];
     const Polygon outline = forest[root].basis.outline();
     ElementId rest = root;

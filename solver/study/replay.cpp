@@ -109,7 +109,7 @@ Faces mapped(const Faces &faces, const Similarity &map) {
 }
 
 Trial replay(const Trial &decided, const Faces &faces, const Similarity &map) {
-    const auto scene = std::make_shared<const Scene>(scene_of(mapped(faces, map)));
+    const auto scene = std::make_shared<const Scene>(build_scene(mapped(faces, map), decided.scene->name));
     PENUMBRA_CHECK(scene->n_surfaces(), ==, decided.scene->n_surfaces());
     const Cancel *cancel = decided.setting.cancel;
     const Setting setting{scene, decided.setting.options, std::make_unique<const Blockers>(*scene)};

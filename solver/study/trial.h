@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace penumbra {
@@ -24,12 +25,14 @@ Face parallelogram(const Vec3 &corner, const Vec3 &a, const Vec3 &b, double refl
 /// The six walls of a box from 0 to `far`, looking inwards.
 Faces room(const Vec3 &far, double reflectance, double exitance = 0);
 
-Scene scene_of(const Faces &faces);
-
 struct TrialSetting {
     Options options;
     const Cancel *cancel = nullptr;
+    std::function<void(const Faces &)> on_solve{}; ///< is shown what solve() is about to solve; may throw
 };
+
+/// Checked as a file would be; surface i is face i.
+Scene build_scene(const Faces &faces, const std::string &name);
 
 struct Trial {
     TrialSetting setting;
