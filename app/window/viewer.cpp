@@ -5,7 +5,9 @@
 #include "files/state_text.h"
 #include "keyhole_verbs.h"
 #include "panels/panels.h"
+#include "restore.h"
 #include "verbs.h"
+#include "window/save_state.h"
 #include "window/take_picture.h"
 #include "window/theme.h"
 
@@ -29,9 +31,11 @@ AppState first_state(const ViewerSetup &setup) {
     AppState state;
     state.options = setup.options;
     state.bundled_scenes = setup.bundled_scenes;
-    state.scene = setup.scene;
+    state.scene = setup.file.scene;
     state.inert = setup.inert;
     state.pane_sets[0].strategies[0] = setup.options.strategy;
+    if (setup.file.state)
+        restore(state, *setup.file.state);
     return state;
 }
 
@@ -47,7 +51,7 @@ Viewer::Viewer(ViewerSetup setup)
       window_("Penumbra", setup_.width, setup_.height,
               {[this](const std::string &key) { on_key(key); },
                [this](const std::string &file) { state_.open_request = file; }}),
-      worker_(setup_.read_scene, GlfwWindow::wake) {}
+      worker_(setup_.read_file, GlfwWindow::wake) {}
 
 void Viewer::run() {
     while (!state_.quit_request && !window_.should_close()) {
@@ -87,6 +91,10 @@ void Viewer::serve_requests() {
     if (auto name = std::exchange(state_.open_request, std::nullopt)) {
         state_.opening = *name;
         worker_.open(std::move(*name));
+        frames_owed_ = frames_to_settle;
+    }
+    if (std::exchange(state_.state_request, false)) {
+        save_state(state_);
         frames_owed_ = frames_to_settle;
     }
     if (std::exchange(state_.cancel_request, false)) {
@@ -144,6 +152,10 @@ void Viewer::set_first_view() {
 
 /// One range for all panes and all steps that were computed so far, so that stepping does not change the scale.
 void Viewer::update_range() {
+    if (state_.chosen_range) {
+        state_.look.range = state_.chosen_range;
+        return;
+    }
     std::vector<const Snapshot *> snapshots;
     for (const Strategy s : state_.shown())
         for (const auto &moment : state_.timeline(s).moments)

@@ -17,10 +17,10 @@
 namespace penumbra {
 
 struct ViewerSetup {
-    std::shared_ptr<const Scene> scene;      ///< shown first
+    OpenedFile file;                         ///< shown first
     std::vector<std::string> bundled_scenes; ///< names offered
     Options options;
-    SolveWorker::ReadScene read_scene;
+    SolveWorker::ReadFile read_file;
     int width = 1280, height = 800;          ///< of the window [screen coordinates]
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
     bool inert = false;                      ///< for tests of the tests: actions do nothing
