@@ -109,6 +109,7 @@ std::string observed_state_text(const AppState &s) {
     j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
     j["looking"] = keyhole(s.keyhole);
     j["picture"] = s.last_picture;
+    j["saved"] = s.last_state;
     j["inputs"] = s.inputs;
     j["cancel_ms"] = s.cancel_ms;
     j["widgets"] = Json::object();

@@ -23,6 +23,7 @@ struct Expected {
 const std::map<std::string, Expected> &expectations() {
     static const std::map<std::string, Expected> all{
         {"file.open", {"/open_dialog", true, {}}},
+        {"file.state", {"/saved", nullptr, {}}},
         {"file.picture", {"/picture", nullptr, {}}},
         {"file.window_picture", {"/picture", nullptr, {}}},
         {"solve.play", {"/playing", true, {"solve.reset"}}},
