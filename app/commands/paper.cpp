@@ -61,7 +61,7 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
     const auto scene = std::make_shared<const Scene>(open_scene(solving, common));
     const Offscreen context;
     set_threads(solving.options.threads);
-    const Interrupt interrupt(solving.time_limit);
+    const Interrupt interrupt(solving.limits);
 
     Solutions solutions;
     bool converged = true;
@@ -86,7 +86,7 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
         }
     }
     if (const int status = interrupt.exit_status(); status != done) {
-        complain("stopped before all four strategies were solved; nothing was written");
+        complain(interrupt.sentence() + " before all four strategies were solved; nothing was written");
         return status;
     }
 

@@ -166,7 +166,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
         take_over(*opened.state, parser, solving, options);
     const Offscreen context; // before the work: where there is no GL, it would be for nothing
     set_threads(solving.options.threads);
-    const Interrupt interrupt(solving.time_limit);
+    const Interrupt interrupt(solving.limits);
 
     PictureSpec spec;
     spec.width = options.look.width;
@@ -189,7 +189,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
             const std::string tag = options.panes.empty() ? "" : tag_of(strategy);
             spec.panes.push_back({solver.snapshot(interrupt.exit_status() == done), tag});
         } catch (const Cancelled &) { // while the curves were made: there is nothing to draw
-            complain("stopped before there was anything to draw");
+            complain(interrupt.sentence() + " before there was anything to draw; nothing was written");
             return interrupt.exit_status();
         }
     }
@@ -204,7 +204,8 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     write_png(common.output, draw_picture(spec), state_text(saved));
 
     if (const int status = interrupt.exit_status(); status != done) {
-        complain("stopped early; the picture shows the last complete solution");
+        complain(fmt::format("{}; the picture shows the last complete solution, of iteration {}", interrupt.sentence(),
+                             first.counters.iteration));
         return status;
     }
     if (!converged && !options.steps && !options.position) {
