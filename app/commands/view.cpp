@@ -31,8 +31,11 @@ int run(const CLI::App &parser, SolvingOptions &solving, ViewerSetup setup) {
     setup.options = solving.options;
     for (const BundledScene &scene : bundled_scenes())
         setup.bundled_scenes.emplace_back(scene.name);
-    Viewer(std::move(setup)).run();
-    return done;
+    const ViewerEnd end = Viewer(std::move(setup)).run();
+    if (end.signal == 0)
+        return done;
+    complain("interrupted; " + end.words);
+    return 128 + end.signal;
 }
 
 } // namespace
@@ -50,6 +53,7 @@ Command add_view(CLI::App &root) {
     // For tests, and so not in the help.
     parser->add_option("--state-file", setup->state_file)->group("");
     parser->add_flag("--inert", setup->inert)->group("");
+    parser->add_flag("--lose-context", setup->lose_context)->group("");
     return {parser, [=] { return run(*parser, *solving, *setup); }};
 }
 

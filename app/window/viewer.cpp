@@ -2,11 +2,14 @@
 
 #include "action.h"
 #include "core/atomic_write.h"
+#include "core/error.h"
 #include "files/state_text.h"
+#include "gl/context_lost.h"
 #include "keyhole_verbs.h"
 #include "panels/panels.h"
 #include "restore.h"
 #include "verbs.h"
+#include "window/end_signal.h"
 #include "window/save_state.h"
 #include "window/take_picture.h"
 #include "window/theme.h"
@@ -15,6 +18,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <utility>
 
 namespace penumbra {
@@ -41,6 +47,16 @@ AppState first_state(const ViewerSetup &setup) {
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
+/// The one that is running; what the program's exit finds here was ended from within, as Xlib does.
+Viewer *shown_viewer = nullptr;
+
+struct Shown {
+    explicit Shown(Viewer &viewer) { shown_viewer = &viewer; }
+    ~Shown() { shown_viewer = nullptr; }
+    Shown(const Shown &) = delete;
+    Shown &operator=(const Shown &) = delete;
+};
+
 /// The sooner of two waits, of which a negative one is endless.
 double sooner(double a, double b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
 
@@ -53,8 +69,20 @@ Viewer::Viewer(ViewerSetup setup)
                [this](const std::string &file) { state_.open_request = file; }}),
       worker_(setup_.read_file, GlfwWindow::wake) {}
 
-void Viewer::run() {
-    while (!state_.quit_request && !window_.should_close()) {
+ViewerEnd Viewer::run() {
+    static const bool once [[maybe_unused]] = std::atexit(when_display_ends) == 0;
+    const EndSignal signal(GlfwWindow::wake);
+    const Shown shown(*this);
+    try {
+        show_until_closed(signal);
+    } catch (const Unavailable &e) {
+        throw Unavailable(e.what() + ("; " + rescue()));
+    }
+    return signal.seen() == 0 ? ViewerEnd{} : ViewerEnd{signal.seen(), rescue()};
+}
+
+void Viewer::show_until_closed(const EndSignal &signal) {
+    while (!state_.quit_request && !window_.should_close() && signal.seen() == 0) {
         window_.wait(frames_owed_ > 0 ? 0 : wait_time());
         take_reports();
         serve_requests();
@@ -66,9 +94,33 @@ void Viewer::run() {
             continue;
         --frames_owed_;
         draw_frame();
+        if (has_lost_context())
+            throw Unavailable("the graphics driver has lost what the window draws with");
         serve_requests();
         write_state();
     }
+}
+
+bool Viewer::has_lost_context() const {
+    const bool stepped = state_.position > 0 && state_.timeline(state_.active_strategy()).reached(state_.position);
+    return gl::context_is_lost() || (setup_.lose_context && stepped);
+}
+
+/// Keeps what was shown, and says where.
+std::string Viewer::rescue() const {
+    try {
+        const std::string file = rescue_state(state_).string();
+        return "what it showed is kept: penumbra view " + file;
+    } catch (const std::exception &e) {
+        return std::string("what it showed could not be kept: ") + e.what();
+    }
+}
+
+void Viewer::when_display_ends() {
+    if (!shown_viewer) // the ordinary way out of main
+        return;
+    std::fprintf(stderr, "penumbra: the display has gone; %s\n", shown_viewer->rescue().c_str());
+    std::_Exit(5);
 }
 
 void Viewer::on_key(const std::string &key) {

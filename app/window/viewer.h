@@ -24,16 +24,29 @@ struct ViewerSetup {
     int width = 1280, height = 800;          ///< of the window [screen coordinates]
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
     bool inert = false;                      ///< for tests of the tests: actions do nothing
+    bool lose_context = false;               ///< for tests: after the first step, as if the driver had lost the context
+};
+
+/// How the window came to its end.
+struct ViewerEnd {
+    int signal = 0;    ///< that ended it; 0: it was closed
+    std::string words; ///< what was kept then, to follow on a semicolon
 };
 
 class Viewer {
 public:
     /// Throws Unavailable where there is no display or no GL 4.1.
     explicit Viewer(ViewerSetup setup);
-    /// Until the window is closed.
-    void run();
+    /// Until the window is closed or a signal comes. Throws Unavailable when nothing can be drawn any more; its line says
+    /// where the state was kept. When the display's connection ends, Xlib ends the program: then it is this line and
+    /// status 5 as well, from there.
+    ViewerEnd run();
 
 private:
+    void show_until_closed(const class EndSignal &signal);
+    bool has_lost_context() const;
+    std::string rescue() const;
+    static void when_display_ends();
     void on_key(const std::string &key);
     void take_reports();
     void serve_requests();
