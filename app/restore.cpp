@@ -12,7 +12,8 @@ Layout layout_for(std::size_t n_strategies) {
     return n_strategies == 1 ? Layout::single : n_strategies == 2 ? Layout::two : Layout::four;
 }
 
-/// Pictures may have other numbers of panes than the window: what is missing is filled up, what is left over falls away.
+/// Pictures may have other numbers of panes than the window: what is missing is filled up, what is left over falls
+/// away.
 void restore_panes(AppState &state, const SavedState &saved) {
     state.layout = layout_for(saved.strategies.size());
     PaneSet &panes = state.panes();

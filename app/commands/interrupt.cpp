@@ -1,6 +1,7 @@
 #include "commands/interrupt.h"
 
 #include "commands/command.h"
+#include "core/resident_memory.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +9,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
-#include <cstdio>
-#include <memory>
 #include <mutex>
-#include <unistd.h>
 
 namespace penumbra {
 
@@ -94,15 +92,8 @@ std::string Interrupt::sentence() const {
         return "interrupted";
     if (limit_met == Limit::time)
         return fmt::format("the time limit of {:g} s stopped it", *limits_.seconds);
-    return limit_met == Limit::memory ? fmt::format("the memory limit of {:g} MiB stopped it", *limits_.memory_mib) : "";
-}
-
-double resident_mib() {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen("/proc/self/statm", "r"), std::fclose);
-    unsigned long long whole = 0, resident = 0; // [pages]
-    if (!file || std::fscanf(file.get(), "%llu %llu", &whole, &resident) != 2)
-        return 0;
-    return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
+    return limit_met == Limit::memory ? fmt::format("the memory limit of {:g} MiB stopped it", *limits_.memory_mib)
+                                      : "";
 }
 
 } // namespace penumbra

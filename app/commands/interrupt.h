@@ -11,8 +11,8 @@ namespace penumbra {
 
 struct Limits {
     std::optional<double> seconds;
-    /// Of resident memory [MiB]: what the whole program has in RAM (resident pages of /proc/self/statm), as the system's
-    /// own tools show it. Looked at every 10 ms, so that it may be passed by what is allocated in that time.
+    /// Of resident memory, see core/resident_memory.h [MiB]. Looked at every 10 ms, so that it may be passed by what is
+    /// allocated in that time and until the step is left (100 ms).
     std::optional<double> memory_mib;
 };
 
@@ -40,8 +40,5 @@ private:
     Limits limits_;
     std::jthread watch_;
 };
-
-/// As Limits counts it; 0 where the system does not tell.
-double resident_mib();
 
 } // namespace penumbra

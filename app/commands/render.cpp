@@ -35,12 +35,12 @@ namespace penumbra {
 namespace {
 
 struct RenderOptions {
-    std::vector<Strategy> panes;     ///< side by side, labelled; empty: the one of --strategy
-    std::optional<int> steps;        ///< none: to `position`
-    std::optional<int> position;     ///< of a saved state, see timeline.h; none: to the fixed point
-    bool priced = true;              ///< two panes have a sentence on what they took
+    std::vector<Strategy> panes; ///< side by side, labelled; empty: the one of --strategy
+    std::optional<int> steps;    ///< none: to `position`
+    std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
+    bool priced = true;          ///< two panes have a sentence on what they took
     bool legend = true;
-    std::optional<Camera> camera;    ///< of a saved state; --view goes before
+    std::optional<Camera> camera; ///< of a saved state; --view goes before
     LookOptions look;
 };
 

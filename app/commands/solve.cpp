@@ -45,10 +45,10 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
         deliver(solving.probe_output, probe_csv(probes, *record.solution, scene->own.size));
 
     if (const int status = interrupt.exit_status(); status != done) {
-        const std::string reached =
-            record.solution ? fmt::format("the last complete solution, of iteration {}, was written",
-                                          record.solution->counters.iteration)
-                            : "there was no solution yet; the record says so";
+        const std::string reached = record.solution
+                                        ? fmt::format("the last complete solution, of iteration {}, was written",
+                                                      record.solution->counters.iteration)
+                                        : "there was no solution yet; the record says so";
         complain(interrupt.sentence() + "; " + reached);
         return status;
     }

@@ -29,6 +29,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, ViewerSetup setup) {
         say_notes(state->notes);
     }
     setup.options = solving.options;
+    setup.memory_limit = solving.limits.memory_mib;
     for (const BundledScene &scene : bundled_scenes())
         setup.bundled_scenes.emplace_back(scene.name);
     const ViewerEnd end = Viewer(std::move(setup)).run();
@@ -50,6 +51,7 @@ Command add_view(CLI::App &root) {
                        "Penumbra wrote");
     add_up_option(*parser, *solving);
     add_solving_options(*parser, *solving);
+    parser->remove_option(parser->get_option("--time-limit")); // a window is stopped by hand
     // For tests, and so not in the help.
     parser->add_option("--state-file", setup->state_file)->group("");
     parser->add_flag("--inert", setup->inert)->group("");

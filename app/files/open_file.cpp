@@ -38,8 +38,9 @@ std::optional<SavedState> state_of(const std::string &name) {
     if (ends_in(name, ".png") || begins_as_png(name)) {
         const auto text = state_in_png(name, read_bytes(name, largest_png), largest_state);
         if (!text)
-            throw BadInput(name + ": holds no state; open a picture that Penumbra wrote (others may have lost the state on "
-                                  "their way), or the scene itself");
+            throw BadInput(name +
+                           ": holds no state; open a picture that Penumbra wrote (others may have lost the state on "
+                           "their way), or the scene itself");
         return read_state(name, *text);
     }
     if (ends_in(name, ".json"))
@@ -60,7 +61,8 @@ Scene scene_of(const std::string &name, const SavedState &state, const std::opti
         throw BadInput(name + ": its scene " + in_quotes(state.scene) +
                        " is none of the bundled ones; 'penumbra scenes' lists them");
     if (!has_file)
-        throw BadInput(name + ": its scene is not there (" + file.string() + "); put it back, or open the scene itself");
+        throw BadInput(name + ": its scene is not there (" + file.string() +
+                       "); put it back, or open the scene itself");
     return open_scene(file.string(), up);
 }
 
@@ -79,8 +81,9 @@ OpenedFile open_file(const std::string &name, const std::optional<Vec3> &up) {
         return {std::make_shared<const Scene>(open_scene(name, up)), std::nullopt};
     auto scene = std::make_shared<const Scene>(scene_of(name, *state, up));
     if (const int source = state->look.curve_filter.source; source >= scene->n_surfaces())
-        throw BadInput(fmt::format("{}: curves.source is {}; the scene has {} surfaces, counted from 0: has it changed?",
-                                   name, source, scene->n_surfaces()));
+        throw BadInput(
+            fmt::format("{}: curves.source is {}; the scene has {} surfaces, counted from 0: has it changed?", name,
+                        source, scene->n_surfaces()));
     return {std::move(scene), std::move(state)};
 }
 

@@ -19,10 +19,10 @@ struct OpenedFile {
     std::vector<std::string> notes() const;
 };
 
-/// Opens the file of that name, else the bundled scene. A state is told by its name's end, .json; a picture by that, .png,
-/// or by its first bytes; all else is a scene. `up` takes the place of the scene's, or the state's, own.
-/// Throws BadInput, one line: what the readers refuse, a picture without a state, a state whose scene is not there, or
-/// has no surface of a number that the state names.
+/// Opens the file of that name, else the bundled scene. A state is told by its name's end, .json; a picture by that,
+/// .png, or by its first bytes; all else is a scene. `up` takes the place of the scene's, or the state's, own. Throws
+/// BadInput, one line: what the readers refuse, a picture without a state, a state whose scene is not there, or has no
+/// surface of a number that the state names.
 OpenedFile open_file(const std::string &name, const std::optional<Vec3> &up = std::nullopt);
 
 } // namespace penumbra

@@ -176,7 +176,9 @@ void read_look(const JsonValue &root, SavedState &state) {
     read_flag(root, "range_chosen", state.range_chosen);
     if (const auto background = root.known("background")) {
         const auto theme = [](std::string_view text) {
-            return text == "dark" ? std::optional(Theme::dark) : text == "light" ? std::optional(Theme::light) : std::nullopt;
+            return text == "dark"    ? std::optional(Theme::dark)
+                   : text == "light" ? std::optional(Theme::light)
+                                     : std::nullopt;
         };
         look.theme = named(*background, theme, "dark or light");
     }
@@ -218,8 +220,9 @@ void read_scene(const JsonValue &root, SavedState &state) {
 
 SavedState read_state(const std::string &file, std::string_view text) {
     if (text.size() > largest_state)
-        throw BadInput(fmt::format("{}: is longer than a saved state's limit of {} KiB; open a file that Penumbra wrote",
-                                   file, largest_state >> 10));
+        throw BadInput(
+            fmt::format("{}: is longer than a saved state's limit of {} KiB; open a file that Penumbra wrote", file,
+                        largest_state >> 10));
     const nlohmann::json json = parse_json(file, text, {.bytes = largest_state, .depth = 16, .values = 20'000});
     const JsonValue root(json, file);
     SavedState state;

@@ -25,15 +25,15 @@ struct SavedPicture {
 };
 
 struct SavedState {
-    std::string scene = {}; ///< name of a bundled scene, or the file's stem
-    std::string file = {};  ///< relative to the state's folder, or absolute; empty: a bundled scene
+    std::string scene = {};      ///< name of a bundled scene, or the file's stem
+    std::string file = {};       ///< relative to the state's folder, or absolute; empty: a bundled scene
     std::optional<char> up = {}; ///< the scene's up axis: x, y, z; none: the format's own
-    Options options = {};   ///< the strategy is the active pane's; threads are not kept
+    Options options = {};        ///< the strategy is the active pane's; threads are not kept
     std::vector<Strategy> strategies = {Strategy::discontinuity_wavelet}; ///< of the panes, row by row
-    int active = 0;         ///< pane
-    int position = 0;       ///< see timeline.h
-    bool converged = false; ///< every pane stands at its fixed point
-    std::optional<Camera> camera = {}; ///< none: the scene's first view
+    int active = 0;                                                       ///< pane
+    int position = 0;                                                     ///< see timeline.h
+    bool converged = false;                                               ///< every pane stands at its fixed point
+    std::optional<Camera> camera = {};                                    ///< none: the scene's first view
     Look look = {};
     bool range_chosen = false; ///< look.range was asked for; else it is what the values shown came to
     bool legend = true;

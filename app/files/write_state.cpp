@@ -15,12 +15,8 @@ Json triple(const Vector &v) {
 }
 
 Json options(const Options &o) {
-    return {{"threshold", o.threshold},
-            {"basis", name(o.basis)},
-            {"order", o.order},
-            {"cut", name(o.cut)},
-            {"max_depth", o.max_depth},
-            {"max_iterations", o.max_iterations}};
+    return {{"threshold", o.threshold}, {"basis", name(o.basis)},   {"order", o.order},
+            {"cut", name(o.cut)},       {"max_depth", o.max_depth}, {"max_iterations", o.max_iterations}};
 }
 
 Json camera(const Camera &c) {

@@ -6,8 +6,8 @@
 
 namespace penumbra {
 
-/// While it lives, the first SIGINT or SIGTERM is noted and `wake` is called, from a thread of its own, in place of ending
-/// the program; a second one ends it. One at a time.
+/// While it lives, the first SIGINT or SIGTERM is noted and `wake` is called, from a thread of its own, in place of
+/// ending the program; a second one ends it. One at a time.
 class EndSignal {
 public:
     explicit EndSignal(std::function<void()> wake);

@@ -11,8 +11,8 @@ namespace penumbra {
 /// none.
 void save_state(AppState &state);
 
-/// For when the program can't go on: to $XDG_STATE_HOME/penumbra/rescued.penumbra.json, over the one before. Returns the
-/// file; throws Unavailable where it can't be written.
+/// For when the program can't go on: to $XDG_STATE_HOME/penumbra/rescued.penumbra.json, over the one before. Returns
+/// the file; throws Unavailable where it can't be written.
 std::filesystem::path rescue_state(const AppState &state);
 
 } // namespace penumbra

@@ -3,6 +3,7 @@
 #include "action.h"
 #include "core/atomic_write.h"
 #include "core/error.h"
+#include "core/resident_memory.h"
 #include "files/state_text.h"
 #include "gl/context_lost.h"
 #include "keyhole_verbs.h"
@@ -14,6 +15,7 @@
 #include "window/take_picture.h"
 #include "window/theme.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -85,6 +87,7 @@ void Viewer::show_until_closed(const EndSignal &signal) {
     while (!state_.quit_request && !window_.should_close() && signal.seen() == 0) {
         window_.wait(frames_owed_ > 0 ? 0 : wait_time());
         take_reports();
+        keep_memory_limit();
         serve_requests();
         if (window_.take_touched() || window_.has_input_waiting())
             frames_owed_ = frames_to_settle;
@@ -134,6 +137,10 @@ void Viewer::take_reports() {
         if (std::holds_alternative<Stopped>(report) && cancelled_at_)
             state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
         apply(state_, report);
+        if (std::holds_alternative<Stopped>(report) && std::exchange(over_memory_limit_, false))
+            state_.message = {fmt::format("The memory limit of {:g} MiB stopped the solver; this is the last complete state.",
+                                          *setup_.memory_limit),
+                              true};
         frames_owed_ = frames_to_settle;
     }
 }
@@ -158,6 +165,17 @@ void Viewer::serve_requests() {
         aimed_ = now;
         worker_.aim(std::move(*now));
     }
+}
+
+/// Looked at whenever the window wakes, which is every tenth of a second while the solver is busy. The start is shown in any
+/// case.
+void Viewer::keep_memory_limit() {
+    const bool shows_something = state_.snapshot(state_.active_strategy()) != nullptr;
+    if (!setup_.memory_limit || !state_.busy || state_.halted || !shows_something ||
+        resident_mib() <= *setup_.memory_limit)
+        return;
+    state_.cancel_request = state_.halted = over_memory_limit_ = true;
+    state_.playing = false;
 }
 
 /// How long nothing will change unless an event comes; negative: for ever.

@@ -21,6 +21,7 @@ struct ViewerSetup {
     std::vector<std::string> bundled_scenes; ///< names offered
     Options options;
     SolveWorker::ReadFile read_file;
+    std::optional<double> memory_limit;      ///< of resident memory, beyond which the solver is stopped [MiB]
     int width = 1280, height = 800;          ///< of the window [screen coordinates]
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
     bool inert = false;                      ///< for tests of the tests: actions do nothing
@@ -50,6 +51,7 @@ private:
     void on_key(const std::string &key);
     void take_reports();
     void serve_requests();
+    void keep_memory_limit();
     double wait_time();
     void set_first_view();
     void update_range();
@@ -69,6 +71,7 @@ private:
     SolveWorker worker_;
     std::optional<Goal> aimed_;
     std::optional<Clock::time_point> cancelled_at_;
+    bool over_memory_limit_ = false; ///< that is why the worker was cancelled
     Fonts fonts_;
     double fonts_scale_ = 0;
     std::optional<Theme> theme_;

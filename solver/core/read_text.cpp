@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <cstring>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <limits>
 #include <memory>
@@ -54,8 +54,8 @@ std::string read_rest(std::FILE *in, const std::filesystem::path &file, std::siz
 
 /// Whether it may have been written to since `before`, while `text` was read. Times of writing have the resolution of
 /// the system's clock tick: a file as young as that is read again.
-bool has_changed(std::FILE *in, const struct stat &before, const std::string &text,
-                 const std::filesystem::path &file, std::size_t limit) {
+bool has_changed(std::FILE *in, const struct stat &before, const std::string &text, const std::filesystem::path &file,
+                 std::size_t limit) {
     struct stat now {};
     if (::fstat(::fileno(in), &now) != 0 || now.st_size != before.st_size ||
         now.st_mtim.tv_sec != before.st_mtim.tv_sec || now.st_mtim.tv_nsec != before.st_mtim.tv_nsec)

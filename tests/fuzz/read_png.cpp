@@ -1,5 +1,5 @@
-// The state in a picture: any bytes as the file, and the same with the CRCs of all its chunks put right, as made-up bytes
-// hardly ever have them.
+// The state in a picture: any bytes as the file, and the same with the CRCs of all its chunks put right, as made-up
+// bytes hardly ever have them.
 #include "files/png_state.h"
 #include "fuzz/sound.h"
 

@@ -28,15 +28,17 @@ protected:
     void SetUp() override {
         folder = fs::temp_directory_path() / ("penumbra-saved-" + std::to_string(::getpid()));
         fs::create_directories(folder / "more");
-        std::ofstream(folder / "room.obj") << "mtllib room.mtl\nusemtl floor\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 4 3 2 1\n"
-                                              "usemtl lamp\nv 0.2 1 0.2\nv 0.4 1 0.2\nv 0.4 1 0.4\nf 5 6 7\n";
+        std::ofstream(folder / "room.obj")
+            << "mtllib room.mtl\nusemtl floor\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 4 3 2 1\n"
+               "usemtl lamp\nv 0.2 1 0.2\nv 0.4 1 0.2\nv 0.4 1 0.4\nf 5 6 7\n";
         std::ofstream(folder / "room.mtl") << "newmtl floor\nKd 0.5 0.6 0.7\nnewmtl lamp\nKd 0 0 0\nKe 9 9 9\n";
     }
     void TearDown() override { fs::remove_all(folder); }
 
     int run(const std::string &arguments) const {
-        const std::string line = "cd '" + folder.string() + "' && unset DISPLAY WAYLAND_DISPLAY && exec '" PENUMBRA_PROGRAM "' " +
-                                 arguments + " >.out 2>.err";
+        const std::string line = "cd '" + folder.string() +
+                                 "' && unset DISPLAY WAYLAND_DISPLAY && exec '" PENUMBRA_PROGRAM "' " + arguments +
+                                 " >.out 2>.err";
         const int status = std::system(line.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
@@ -63,9 +65,11 @@ std::vector<int> rows_that_differ(const Image &a, const Image &b) {
 
 /// Nothing is timed before the first step: every bit is the same.
 TEST_F(SavedPicture, APictureRendersToTheSameBits) {
-    ASSERT_EQ(run("render room.obj --up y --steps 0 -o a.png --size 400x300 --layers mesh,links --shading flat --exposure 0.5 "
-                  "--range 0:0.3 --view \"2 2 1 0.5 0 0.5 40\" --basis planar --order 2 --background light --false-colour"),
-              0)
+    ASSERT_EQ(
+        run("render room.obj --up y --steps 0 -o a.png --size 400x300 --layers mesh,links --shading flat --exposure "
+            "0.5 "
+            "--range 0:0.3 --view \"2 2 1 0.5 0 0.5 40\" --basis planar --order 2 --background light --false-colour"),
+        0)
         << err();
     ASSERT_EQ(run("render a.png -o more/b.png"), 0) << err();
     EXPECT_EQ(image("a.png").rgb, image("more/b.png").rgb);
@@ -75,7 +79,8 @@ TEST_F(SavedPicture, APictureRendersToTheSameBits) {
     a["file"] = b["file"] = "";
     EXPECT_EQ(a, b);
 
-    const std::string panes = "render skew-blockers --layout compare --steps 0 --size 640x480 --keyhole \"0.5 -0.45 0\" --curve 3 ";
+    const std::string panes =
+        "render skew-blockers --layout compare --steps 0 --size 640x480 --keyhole \"0.5 -0.45 0\" --curve 3 ";
     ASSERT_EQ(run(panes + "-o four.png --curve-kinds VE,EEE"), 0) << err();
     ASSERT_EQ(run("render four.png -o again.png"), 0) << err();
     EXPECT_EQ(text(folder / "four.png"), text(folder / "again.png")) << "the file itself";
@@ -101,8 +106,9 @@ TEST_F(SavedPicture, AfterStepsAllButTheSecondsIsTheSame) {
 
 TEST_F(SavedPicture, AStateStopsAfterAPhase) {
     const auto phase = [&](int position) {
-        std::ofstream(folder / "s.penumbra.json") << R"({"scene": "slanted-edge", "position": )" << position
-                                                  << R"(, "options": {"threshold": 0.05}, "picture": {"width": 320, "height": 240}})";
+        std::ofstream(folder / "s.penumbra.json")
+            << R"({"scene": "slanted-edge", "position": )" << position
+            << R"(, "options": {"threshold": 0.05}, "picture": {"width": 320, "height": 240}})";
         EXPECT_EQ(run("render s.penumbra.json -o s.png"), 0) << err();
         return state("s.png");
     };
@@ -115,8 +121,11 @@ TEST_F(SavedPicture, AStateStopsAfterAPhase) {
 }
 
 TEST_F(SavedPicture, WhatIsSaidBesideAStateHolds) {
-    ASSERT_EQ(run("render slanted-edge --panes a,d --threshold 0.05 --steps 1 --exposure 2 -o a.png --size 320x240"), 0) << err();
-    ASSERT_EQ(run("render a.png -o b.png --exposure 0 --size 400x300 --threshold 0.1 --layers none --steps 2 --view \"0 -6 4 0 0 1 35\""), 0)
+    ASSERT_EQ(run("render slanted-edge --panes a,d --threshold 0.05 --steps 1 --exposure 2 -o a.png --size 320x240"), 0)
+        << err();
+    ASSERT_EQ(run("render a.png -o b.png --exposure 0 --size 400x300 --threshold 0.1 --layers none --steps 2 --view "
+                  "\"0 -6 4 0 0 1 35\""),
+              0)
         << err();
     const nlohmann::json b = state("b.png");
     EXPECT_EQ(b["exposure"], 0);

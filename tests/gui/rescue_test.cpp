@@ -35,7 +35,8 @@ void expect_rescued(const Session &session, int position) {
     const OpenedFile opened = open_file(rescued(session).string());
     EXPECT_EQ(opened.scene->name, "slanted-edge");
     EXPECT_EQ(opened.state->position, position);
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(rescued(session).parent_path()), {}), 1) << "and no part";
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(rescued(session).parent_path()), {}), 1)
+        << "and no part";
 }
 
 const std::vector<std::string> scene{"slanted-edge", "--threshold", "0.05"};
@@ -60,7 +61,8 @@ TEST(Rescue, SignalsKeepWhatWasShown) {
 TEST(Rescue, ASignalWhileTheWorkerIsBusy) {
     Session session({"cornell-box", "--threshold", "0.0005", "--max-depth", "9"});
     session.key("End");
-    session.wait_until("work", [](const Json &s) { return s["busy"] == true && s["panes"][0]["computed"] > 0; }, 60);
+    session.wait_until(
+        "work", [](const Json &s) { return s["busy"] == true && s["panes"][0]["computed"] > 0; }, 60);
     ASSERT_EQ(::kill(session.program().id(), SIGTERM), 0);
     EXPECT_EQ(session.program().wait(5), 143);
     const int position = open_file(rescued(session).string()).state->position;
@@ -74,7 +76,8 @@ TEST(Rescue, ALostContextIsStatusFive) {
     Session session(arguments);
     session.key("Right");
     EXPECT_EQ(session.program().wait(20), 5);
-    EXPECT_NE(line_of(session.log()).find("the graphics driver has lost what the window draws with; "), std::string::npos);
+    EXPECT_NE(line_of(session.log()).find("the graphics driver has lost what the window draws with; "),
+              std::string::npos);
     expect_rescued(session, 3);
 }
 
@@ -95,7 +98,20 @@ TEST(Rescue, WhereNothingCanBeKeptThatIsSaid) {
     std::filesystem::create_symlink("/proc/none", session.home() / ".local/state");
     ASSERT_EQ(::kill(session.program().id(), SIGTERM), 0);
     EXPECT_EQ(session.program().wait(5), 143);
-    EXPECT_NE(line_of(session.log()).find("what it showed could not be kept: cannot make the folder"), std::string::npos);
+    EXPECT_NE(line_of(session.log()).find("what it showed could not be kept: cannot make the folder"),
+              std::string::npos);
+}
+
+TEST(MemoryLimit, TheWindowStopsTheSolverAndGoesOn) {
+    Session session({"cornell-box", "--threshold", "0.0005", "--max-depth", "9", "--memory-limit", "1"}); // met at once
+    session.key("End");
+    const Json stopped = session.wait_until(
+        "the line", [](const Json &s) { return s["message_is_error"] == true; }, 10);
+    EXPECT_EQ(stopped["message"], "The memory limit of 1 MiB stopped the solver; this is the last complete state.");
+    session.wait_until("rest", [](const Json &s) { return s["busy"] == false; });
+    EXPECT_EQ(session.state()["position"], session.state()["panes"][0]["computed"]);
+    session.key("m");
+    session.wait_until("the mesh", [](const Json &s) { return s["layers"]["mesh"] == false; });
 }
 
 } // namespace

@@ -11,8 +11,9 @@ namespace penumbra::gui {
 namespace {
 
 /// What a state brings back. The keyhole's point and the camera are the same to the last bit.
-constexpr const char *kept[] = {"scene",  "options", "position", "strategies", "layout", "active",       "camera",    "layers",
-                                "curves", "keyhole", "shading",  "exposure",   "range",  "false_colour", "background"};
+constexpr const char *kept[] = {"scene",   "options",  "position", "strategies",   "layout",
+                                "active",  "camera",   "layers",   "curves",       "keyhole",
+                                "shading", "exposure", "range",    "false_colour", "background"};
 
 void expect_same_view(const Json &a, const Json &b) {
     for (const char *key : kept)
@@ -25,7 +26,8 @@ Json unusual_view(Session &session) {
         session.key(key);
         session.settled();
     }
-    session.wait_until("two phases", [](const Json &s) { return s["panes"].size() == 4 && s["panes"][3]["computed"] == 2; });
+    session.wait_until("two phases",
+                       [](const Json &s) { return s["panes"].size() == 4 && s["panes"][3]["computed"] == 2; });
     return session.settled();
 }
 
@@ -44,20 +46,23 @@ TEST(SavedStates, AStateBringsTheViewBack) {
         session.key("F12");
         const Json taken = session.wait_until("the picture", [](const Json &s) { return s["picture"] != ""; });
         // The session's home goes with it.
-        kept_file = std::filesystem::temp_directory_path() / ("penumbra-kept-" + std::to_string(::getpid()) + ".penumbra.json");
+        kept_file =
+            std::filesystem::temp_directory_path() / ("penumbra-kept-" + std::to_string(::getpid()) + ".penumbra.json");
         picture = std::filesystem::temp_directory_path() / ("penumbra-kept-" + std::to_string(::getpid()) + ".png");
         std::filesystem::copy_file(saved["saved"].get<std::string>(), kept_file);
         std::filesystem::copy_file(taken["picture"].get<std::string>(), picture);
     }
     {
         Session session({kept_file.string()});
-        session.wait_until("two phases", [](const Json &s) { return s["panes"].size() == 4 && s["panes"][3]["computed"] == 2; });
+        session.wait_until("two phases",
+                           [](const Json &s) { return s["panes"].size() == 4 && s["panes"][3]["computed"] == 2; });
         expect_same_view(view, session.settled());
     }
     Session session; // on another scene
     session.drop(picture);
     session.wait_until("the scene", [](const Json &s) { return s["scene"] == "skew-blockers"; });
-    session.wait_until("two phases", [](const Json &s) { return s["panes"].size() == 4 && s["panes"][3]["computed"] == 2; });
+    session.wait_until("two phases",
+                       [](const Json &s) { return s["panes"].size() == 4 && s["panes"][3]["computed"] == 2; });
     view["layers"]["fresh"] = false; // pictures do not point at what is new
     expect_same_view(view, session.settled());
     // And from there a picture, which is the same but for the seconds.

@@ -109,7 +109,8 @@ TEST_F(Failing, AFolderThatFillsUp) {
     const auto size = [&](const char *name) { return fs::file_size(work() / "whole" / name); };
     const auto limit = (size("figure-8.png") + size("sheet.png")) / 2 / 512;
     ASSERT_GT(limit * 512, size("figure-8.png"));
-    expect_one_line(run("paper -q -o part", "ulimit -f " + std::to_string(limit) + " && "), 5, "File too large", "paper");
+    expect_one_line(run("paper -q -o part", "ulimit -f " + std::to_string(limit) + " && "), 5, "File too large",
+                    "paper");
     for (const std::string &name : files())
         EXPECT_THAT(name, testing::Not(HasSubstr(".part-")));
     EXPECT_FALSE(fs::exists(work() / "part/sheet.png"));
@@ -123,7 +124,8 @@ TEST_F(Failing, AFullDisk) {
     if (std::system((here + mount + "true' 2>/dev/null").c_str()) != 0)
         GTEST_SKIP() << "no file system can be mounted here";
     const std::string fill = "echo before >disk/r.json; head -c 12000 /dev/zero >disk/other; ";
-    const std::string line = here + mount + fill + "\"$0\" render furnace --steps 0 --size 512x512 -o disk/r.json 2>../log/err; "
+    const std::string line = here + mount + fill +
+                             "\"$0\" render furnace --steps 0 --size 512x512 -o disk/r.json 2>../log/err; "
                              "echo $? $(ls disk) $(cat disk/r.json) >../log/out' '" PENUMBRA_PROGRAM "'";
     ASSERT_EQ(std::system(line.c_str()), 0);
     EXPECT_EQ(text(folder / "log/out"), "5 other r.json before\n");
@@ -133,12 +135,14 @@ TEST_F(Failing, AFullDisk) {
 /// Places where root may not write either.
 TEST_F(Failing, PlacesThatTakeNoFiles) {
     std::ofstream(work() / "file") << "in the way";
-    for (const char *verb : {"solve furnace --max-depth 0", "render furnace --steps 0", "curves figure-4", "check furnace", "scenes"})
+    for (const char *verb :
+         {"solve furnace --max-depth 0", "render furnace --steps 0", "curves figure-4", "check furnace", "scenes"})
         for (const char *place : {"/proc/r.json", "/proc/self/r.json", "file/r.json", "none/r.json"}) {
             const std::string what = std::string(verb) + " -o " + place;
             expect_one_line(run(what), 5, place, what);
         }
-    expect_one_line(run("solve furnace --max-depth 0 -o file/r.json"), 5, "cannot write file/r.json: file is no folder", "a file");
+    expect_one_line(run("solve furnace --max-depth 0 -o file/r.json"), 5, "cannot write file/r.json: file is no folder",
+                    "a file");
     EXPECT_THAT(files(), testing::ElementsAre("file"));
 }
 
@@ -158,7 +162,8 @@ TEST_F(Failing, TheTimeLimitInTheMiddleOfAStep) {
     double least = 1e9;
     for (int i = 0; i < 3; ++i) {
         const Result result = run("solve" + std::string(slow) + "--time-limit 1 -o r.json");
-        expect_one_line(result, 4, "the time limit of 1 s stopped it; the last complete solution, of iteration ", "solve");
+        expect_one_line(result, 4, "the time limit of 1 s stopped it; the last complete solution, of iteration ",
+                        "solve");
         least = std::min(least, result.seconds);
         const auto json = record("r.json");
         EXPECT_EQ(json["stopped_by"], "time limit");
@@ -174,7 +179,8 @@ TEST_F(Failing, TheTimeLimitInTheMiddleOfAStep) {
 
 TEST_F(Failing, TheTimeLimitOfAPicture) {
     const Result result = run("render" + std::string(slow) + "--size 128x96 --time-limit 1 -o a.png");
-    expect_one_line(result, 4, "the time limit of 1 s stopped it; the picture shows the last complete solution, of iteration ", "");
+    expect_one_line(
+        result, 4, "the time limit of 1 s stopped it; the picture shows the last complete solution, of iteration ", "");
     EXPECT_GT(fs::file_size(work() / "a.png"), 1000u);
 }
 
@@ -183,21 +189,27 @@ TEST_F(Failing, TheMemoryLimitInTheMiddleOfAStep) {
     ASSERT_EQ(run("solve cornell-box --max-depth 0 -q -o small.json").status, 0);
     const int limit = 4 + static_cast<int>(record("small.json")["final"]["peak_memory_mib"].get<double>());
     const Result result = run("solve" + std::string(slow) + "-o r.json --memory-limit " + std::to_string(limit));
-    expect_one_line(result, 4, "the memory limit of " + std::to_string(limit) + " MiB stopped it; the last complete solution, of "
-                               "iteration ", "solve");
+    expect_one_line(result, 4,
+                    "the memory limit of " + std::to_string(limit) +
+                        " MiB stopped it; the last complete solution, of "
+                        "iteration ",
+                    "solve");
     const auto json = record("r.json");
     EXPECT_EQ(json["stopped_by"], "memory limit");
     EXPECT_EQ(json["final"]["converged"], false);
     EXPECT_EQ(json["final"]["patches"], json["iterations"].back()["patches"]);
     EXPECT_GT(json["final"]["peak_memory_mib"], limit - 1);
-    EXPECT_LT(json["final"]["peak_memory_mib"], limit + 8) << "passed by what 10 ms and the making of the record allocate";
+    EXPECT_LT(json["final"]["peak_memory_mib"], limit + 8)
+        << "passed by what 10 ms and the making of the record allocate";
 }
 
 TEST_F(Failing, ALimitThatIsTooSmallForAnything) {
     const Result result = run("solve office -q --memory-limit 1 -o r.json");
-    expect_one_line(result, 4, "the memory limit of 1 MiB stopped it; there was no solution yet; the record says so", "solve");
+    expect_one_line(result, 4, "the memory limit of 1 MiB stopped it; there was no solution yet; the record says so",
+                    "solve");
     EXPECT_TRUE(record("r.json")["final"]["patches"].is_null());
-    expect_one_line(run("render office -q --memory-limit 1 -o a.png"), 4, "before there was anything to draw; nothing was written", "");
+    expect_one_line(run("render office -q --memory-limit 1 -o a.png"), 4,
+                    "before there was anything to draw; nothing was written", "");
     EXPECT_FALSE(fs::exists(work() / "a.png"));
 }
 
@@ -216,10 +228,13 @@ TEST_F(Failing, SignalsKeepTheLastCompleteResult) {
         expect_one_line(solved, status, "interrupted; the last complete solution, of iteration ", "solve");
         EXPECT_LT(solved.seconds, 1);
         EXPECT_EQ(record("r.json")["stopped_by"], "interrupt");
-        const Result drawn = run_and_signal("render" + std::string(slow) + "--size 128x96 -o a.png", signal, milliseconds(1200));
-        expect_one_line(drawn, status, "interrupted; the picture shows the last complete solution, of iteration ", "render");
+        const Result drawn =
+            run_and_signal("render" + std::string(slow) + "--size 128x96 -o a.png", signal, milliseconds(1200));
+        expect_one_line(drawn, status, "interrupted; the picture shows the last complete solution, of iteration ",
+                        "render");
         EXPECT_GT(fs::file_size(work() / "a.png"), 1000u);
-        const Result paper = run_and_signal("paper --threshold 1e-7 --max-depth 12 -q -o p", signal, milliseconds(1200));
+        const Result paper =
+            run_and_signal("paper --threshold 1e-7 --max-depth 12 -q -o p", signal, milliseconds(1200));
         expect_one_line(paper, status, "nothing was written", "paper");
         EXPECT_THAT(files(), testing::UnorderedElementsAre("r.json", "a.png", "p"));
         fs::remove_all(work());

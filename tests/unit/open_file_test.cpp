@@ -73,7 +73,8 @@ TEST_F(OpenFile, StatesFindTheirSceneFromWhereTheyLie) {
     // Both moved together.
     fs::create_directories(folder / "elsewhere");
     fs::rename(folder / "scenes", folder / "elsewhere/scenes");
-    EXPECT_THAT(refusal(file), HasSubstr("its scene is not there (" + (folder / "scenes/square.obj").string() + "); put it"));
+    EXPECT_THAT(refusal(file),
+                HasSubstr("its scene is not there (" + (folder / "scenes/square.obj").string() + "); put it"));
     fs::rename(folder / "states", folder / "elsewhere/states");
     EXPECT_EQ(open_file((folder / "elsewhere/states/a.penumbra.json").string()).scene->name, "square");
 }

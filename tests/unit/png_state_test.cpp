@@ -49,7 +49,8 @@ std::string deflated(const std::string &text) {
 }
 
 TEST(PngState, WhatAPictureIsGivenIsFound) {
-    const auto file = std::filesystem::temp_directory_path() / ("penumbra-state-" + std::to_string(::getpid()) + ".png");
+    const auto file =
+        std::filesystem::temp_directory_path() / ("penumbra-state-" + std::to_string(::getpid()) + ".png");
     const std::string text = "{\"scene\": \"\u00e9\u03b1\"}\n" + std::string(5000, 'x');
     write_png(file, {2, 1, {1, 2, 3, 4, 5, 6}}, text);
     EXPECT_THAT(state_in_png("a.png", read_bytes(file, largest_png), longest), Optional(text));
@@ -93,7 +94,8 @@ TEST(PngState, DamageIsOneLine) {
     EXPECT_THAT(refusal(head + bad + end), HasSubstr("its chunk 'penumbra' is damaged (its CRC differs); take"));
     EXPECT_THAT(refusal(head + chunk("iTXtpenumbra" + zero) + end), HasSubstr("is cut short"));
     EXPECT_THAT(refusal(head + chunk("iTXtpenumbra" + zero + plain + "en") + end), HasSubstr("is cut short"));
-    EXPECT_THAT(refusal(head + itxt("penumbra", "\2" + zero, "text") + end), HasSubstr("in a way that PNG does not have"));
+    EXPECT_THAT(refusal(head + itxt("penumbra", "\2" + zero, "text") + end),
+                HasSubstr("in a way that PNG does not have"));
     EXPECT_THAT(refusal(head + itxt("penumbra", "\1\1", deflated("text")) + end), HasSubstr("in a way that PNG"));
     EXPECT_THAT(refusal(head + itxt("penumbra", compressed, "text") + end), HasSubstr("does not decompress"));
     const std::string packed = deflated(std::string(1000, 'y') + "z");
@@ -104,8 +106,10 @@ TEST(PngState, DamageIsOneLine) {
 TEST(PngState, LongTextsAreRefusedBeforeTheyAreMade) {
     const std::string at_limit(longest, 'x'), above(longest + 1, 'x');
     EXPECT_THAT(state_in_png("a", head + itxt("penumbra", plain, at_limit), longest), Optional(at_limit));
-    EXPECT_THAT(state_in_png("a", head + itxt("penumbra", compressed, deflated(at_limit)), longest), Optional(at_limit));
-    EXPECT_THAT(refusal(head + itxt("penumbra", plain, above) + end), HasSubstr("more than a saved state's limit of 64 KiB"));
+    EXPECT_THAT(state_in_png("a", head + itxt("penumbra", compressed, deflated(at_limit)), longest),
+                Optional(at_limit));
+    EXPECT_THAT(refusal(head + itxt("penumbra", plain, above) + end),
+                HasSubstr("more than a saved state's limit of 64 KiB"));
     EXPECT_THAT(refusal(head + itxt("penumbra", compressed, deflated(above)) + end), HasSubstr("limit of 64 KiB"));
     // 64 MiB of one letter in 65 KiB.
     EXPECT_THAT(refusal(head + itxt("penumbra", compressed, deflated(std::string(std::size_t{64} << 20, 'x'))) + end),

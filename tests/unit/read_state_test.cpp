@@ -84,7 +84,8 @@ TEST(ReadState, NoFieldIsIgnored) {
 }
 
 TEST(ReadState, WhatIsMissingHasItsDefault) {
-    const SavedState s = read_state("a", R"({"scene": "figure-4", "camera": null, "range": null, "unheard": [1, {"of": 2}]})");
+    const SavedState s =
+        read_state("a", R"({"scene": "figure-4", "camera": null, "range": null, "unheard": [1, {"of": 2}]})");
     SavedState expected;
     expected.scene = "figure-4";
     EXPECT_EQ(state_text(s), state_text(expected));
@@ -151,7 +152,8 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("camera": {"eye": [1, 2, 3], "target": [1, 2, 3]})", "camera has its eye in its target; move"},
         {R"("camera": {"eye": [1, 2, 3], "target": [1, 2, 0]})", "camera looks along its up"},
         {R"("camera": {"eye": [1, 2, 3], "target": [0, 2, 0], "up": [0, 0, 0]})", "camera has an up of length 0"},
-        {R"("camera": {"eye": [1, 2, 3], "target": [0, 2, 0], "fov": 180})", "camera.fov is 180; give a number from 0.01"},
+        {R"("camera": {"eye": [1, 2, 3], "target": [0, 2, 0], "fov": 180})",
+         "camera.fov is 180; give a number from 0.01"},
         {R"("layers": {"mesh": "yes"})", "layers.mesh is 'yes'; give true or false"},
         {R"("curves": {"kinds": ["EE"]})", "curves.kinds[0] is 'EE'; give VE, EV"},
         {R"("curves": {"orders": [3]})", "curves.orders[0] is 3; give a whole number from 0 to 2"},
@@ -176,7 +178,8 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
 }
 
 TEST(ReadState, LongAndDeepOnesAreRefused) {
-    EXPECT_THAT(refusal(std::string(largest_state + 1, ' ')), HasSubstr("longer than a saved state's limit of 1024 KiB"));
+    EXPECT_THAT(refusal(std::string(largest_state + 1, ' ')),
+                HasSubstr("longer than a saved state's limit of 1024 KiB"));
     EXPECT_THAT(refusal(R"({"scene": "x", "deep": )" + std::string(20, '[') + std::string(20, ']') + "}"),
                 HasSubstr("nested deeper than 16 levels"));
     std::string many = R"({"scene": "x", "many": [0)";
