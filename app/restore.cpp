@@ -57,8 +57,10 @@ void find_what_was_restored(AppState &state, Strategy strategy) {
     const Vec3 point = *std::exchange(state.keyhole_to_open, std::nullopt);
     const KeyholeEye eye(state.scene);
     const SurfaceId surface = eye.surface_at(point, 1e-3);
-    if (!surface.valid())
+    if (!surface.valid()) {
+        state.message = {"The keyhole stays closed: its point lies on no surface that reflects.", false};
         return;
+    }
     state.keyhole.open = true;
     move_keyhole(state, static_cast<int>(surface.at()), point);
 }

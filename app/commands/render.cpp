@@ -42,6 +42,8 @@ struct RenderOptions {
     bool legend = true;
     std::optional<Camera> camera; ///< of a saved state; --view goes before
     LookOptions look;
+    /// Where they come from, for messages.
+    std::string curve_field = "--curve", keyhole_field = "--keyhole";
 };
 
 /// What the state says, and over it what was said beside it.
@@ -62,6 +64,10 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
     options.look.look = state.look;
     options.look.keyhole = state.keyhole;
     say_again(parser);
+    if (parser.count("--curve") == 0)
+        options.curve_field = solving.scene + ": curves.shown";
+    if (parser.count("--keyhole") == 0)
+        options.keyhole_field = solving.scene + ": keyhole";
     if (parser.count("--strategy") > 0 && parser.count("--panes") + parser.count("--layout") == 0)
         options.panes.clear();
     if (parser.count("--panes") > 0)
@@ -80,22 +86,22 @@ int find_surface(const Snapshot &snapshot, const std::string &text) {
 }
 
 /// What the options say of curves, now that these are known.
-void choose_curves(const LookOptions &options, const Snapshot &snapshot, Look &look) {
-    if (!options.curve_source.empty())
-        look.curve_filter.source = find_surface(snapshot, options.curve_source);
+void choose_curves(const RenderOptions &options, const Snapshot &snapshot, Look &look) {
+    if (!options.look.curve_source.empty())
+        look.curve_filter.source = find_surface(snapshot, options.look.curve_source);
     if (const auto n = static_cast<int>(snapshot.curves->size()); look.spotlight.curve >= n)
-        throw BadInput("--curve " + std::to_string(look.spotlight.curve) + ": the scene has " + std::to_string(n) +
-                       " curves, counted from 0; 'penumbra curves' lists them");
+        throw BadInput(options.curve_field + " " + std::to_string(look.spotlight.curve) + ": the scene has " +
+                       std::to_string(n) + " curves, counted from 0; 'penumbra curves' lists them");
 }
 
 /// BadInput where there is no surface that reflects.
-std::shared_ptr<const Keyhole> look_from(const std::shared_ptr<const Scene> &scene, const Vec3 &point) {
+std::shared_ptr<const Keyhole> look_from(const std::shared_ptr<const Scene> &scene, const Vec3 &point,
+                                         const std::string &field) {
     const KeyholeEye eye(scene);
     const SurfaceId surface = eye.surface_at(point, 1e-3);
     if (!surface.valid())
-        throw BadInput(
-            "--keyhole: no surface that reflects lies within a thousandth of the scene's size of this point; "
-            "give a point of a floor, a wall, a table");
+        throw BadInput(field + ": no surface that reflects lies within a thousandth of the scene's size of this point; "
+                               "give a point of a floor, a wall, a table");
     return std::make_shared<const Keyhole>(eye.look(surface, point));
 }
 
@@ -194,11 +200,11 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
         }
     }
     const Snapshot &first = *spec.panes.front().snapshot;
-    choose_curves(options.look, first, spec.look);
+    choose_curves(options, first, spec.look);
     if (options.panes.size() == 2 && options.priced)
         spec.caption = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
     if (options.look.keyhole)
-        spec.keyhole = look_from(scene, *options.look.keyhole);
+        spec.keyhole = look_from(scene, *options.look.keyhole, options.keyhole_field);
     spec.camera = camera_of(options, *scene, first, pane_aspect(spec));
     const SavedState saved = picture_state(spec, *scene, std::filesystem::path(common.output).parent_path());
     write_png(common.output, draw_picture(spec), state_text(saved));

@@ -168,5 +168,22 @@ TEST_F(SavedPicture, WhatCannotBeOpenedIsThreeAndLeavesNothing) {
         }
 }
 
+TEST_F(SavedPicture, CurvesAndPointsThatThereAreNotAreNamedByTheirField) {
+    const std::pair<const char *, const char *> faults[] = {
+        {R"("curves": {"shown": 100000})", "s.penumbra.json: curves.shown 100000: the scene has "},
+        {R"("keyhole": [0, 0, 50])", "s.penumbra.json: keyhole: no surface that reflects lies within"},
+        {R"("curves": {"source": 99})", "s.penumbra.json: curves.source is 99; the scene has "}};
+    for (const auto &[field, said] : faults) {
+        std::ofstream(folder / "s.penumbra.json") << R"({"scene": "figure-4", "position": 0, )" << field << "}";
+        EXPECT_EQ(run("render s.penumbra.json -o b.png"), 3) << field;
+        EXPECT_THAT(err(), HasSubstr(said));
+        EXPECT_FALSE(fs::exists(folder / "b.png"));
+        // What is said beside the state holds; a source that there is not has none.
+        const int status = run("render s.penumbra.json -o b.png --curve 0 --keyhole \"0.5 0 0\"");
+        EXPECT_EQ(status, std::string(field).ends_with("99}") ? 3 : 0) << err();
+        fs::remove(folder / "b.png");
+    }
+}
+
 } // namespace
 } // namespace penumbra
