@@ -10,6 +10,7 @@
 #include "panels/panels.h"
 #include "restore.h"
 #include "verbs.h"
+#include "window/display_end.h"
 #include "window/end_signal.h"
 #include "window/save_state.h"
 #include "window/take_picture.h"
@@ -20,8 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <utility>
 
@@ -49,16 +48,6 @@ AppState first_state(const ViewerSetup &setup) {
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
-/// The one that is running; what the program's exit finds here was ended from within, as Xlib does.
-Viewer *shown_viewer = nullptr;
-
-struct Shown {
-    explicit Shown(Viewer &viewer) { shown_viewer = &viewer; }
-    ~Shown() { shown_viewer = nullptr; }
-    Shown(const Shown &) = delete;
-    Shown &operator=(const Shown &) = delete;
-};
-
 /// The sooner of two waits, of which a negative one is endless.
 double sooner(double a, double b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
 
@@ -72,9 +61,8 @@ Viewer::Viewer(ViewerSetup setup)
       worker_(setup_.read_file, GlfwWindow::wake) {}
 
 ViewerEnd Viewer::run() {
-    static const bool once [[maybe_unused]] = std::atexit(when_display_ends) == 0;
     const EndSignal signal(GlfwWindow::wake);
-    const Shown shown(*this);
+    const DisplayEnd display_end([this] { return rescue(); });
     try {
         show_until_closed(signal);
     } catch (const Unavailable &e) {
@@ -117,13 +105,6 @@ std::string Viewer::rescue() const {
     } catch (const std::exception &e) {
         return std::string("what it showed could not be kept: ") + e.what();
     }
-}
-
-void Viewer::when_display_ends() {
-    if (!shown_viewer) // the ordinary way out of main
-        return;
-    std::fprintf(stderr, "penumbra: the display has gone; %s\n", shown_viewer->rescue().c_str());
-    std::_Exit(5);
 }
 
 void Viewer::on_key(const std::string &key) {

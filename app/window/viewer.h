@@ -47,7 +47,6 @@ private:
     void show_until_closed(const class EndSignal &signal);
     bool has_lost_context() const;
     std::string rescue() const;
-    static void when_display_ends();
     void on_key(const std::string &key);
     void take_reports();
     void serve_requests();
