@@ -120,8 +120,11 @@ constexpr int far_ahead(int) { return 1'000'000; }
 
 const std::vector<Action> &list() {
     static const std::vector<Action> all{
-        {"file.open", Menu::file, "Open…", "Opens a scene; a file may also be dropped on the window.", {"Ctrl+O"},
+        {"file.open", Menu::file, "Open…",
+         "Opens a scene, a saved state or a picture; a file may also be dropped on the window.", {"Ctrl+O"},
          [](State &s) { s.open_dialog = !s.open_dialog; }},
+        {"file.state", Menu::file, "Save state", "Saves scene, options, step and view, to be opened again.", {"Ctrl+S"},
+         [](State &s) { s.state_request = true; }, has_scene},
         {"file.picture", Menu::file, "Save picture", "Saves the panes with their labels and legend as a numbered PNG.",
          {"F12"}, [](State &s) { s.picture_request = PictureRequest::panes; }, has_scene},
         {"file.window_picture", Menu::file, "Save picture of the window", "Saves the whole window as a numbered PNG.",

@@ -110,6 +110,7 @@ struct AppState {
                                         Strategy::uniform_wavelet, Strategy::discontinuity_wavelet},
                                        3}}};
     Look look;
+    std::optional<Range> chosen_range; ///< came with a state; none: look.range follows what is shown
     Camera camera;
     bool camera_is_set = false; ///< false: the first view is taken with the next snapshot
     bool camera_moved = false;  ///< by the user
@@ -122,6 +123,7 @@ struct AppState {
     Inspector inspector = Inspector::none;
     Microscope microscope;
     Shelf shelf;
+    std::optional<Vec3> keyhole_to_open; ///< came with a state; looked from as soon as something is known
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins
     std::optional<glm::dvec3> orbit_pivot; ///< of the drag that is going on
     std::optional<glm::dvec3> drag_anchor; ///< point that a pan keeps under the mouse
@@ -139,10 +141,11 @@ struct AppState {
     // Asked of the window; it does them and takes them back.
     std::optional<std::string> open_request; ///< bundled name or file
     std::optional<PictureRequest> picture_request;
+    bool state_request = false;
     bool cancel_request = false, quit_request = false;
 
     std::map<std::string, WindowRect> widgets; ///< where each control was drawn in the last frame, by action or name
-    std::string last_picture; ///< file
+    std::string last_picture, last_state; ///< files
     int inputs = 0;           ///< keys that were pressed so far; tests wait for theirs to be taken
     double cancel_ms = -1;    ///< from the last cancel to its answer; negative: none yet
 

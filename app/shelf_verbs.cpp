@@ -62,7 +62,7 @@ void open_case(AppState &state, std::size_t index, std::optional<BasisFamily> ba
     try {
         const auto scene = std::make_shared<const Scene>(scene_of(hard_cases().at(index)));
         state.options.basis = basis.value_or(state.options.basis);
-        penumbra::apply(state, Report(Opened{scene}));
+        penumbra::apply(state, Report(Opened{{scene, {}}}));
         state.message = {scene->name + ": " + state.shelf.cases[index].what + ".", false};
     } catch (const std::exception &e) {
         state.message = {e.what(), true};

@@ -118,8 +118,11 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
         ->check(CLI::IsMember({"auto", "on", "off"}));
     parser.add_option("--threads", o.threads, "Threads; 0: all cores")->check(CLI::Range(0, 4096))->capture_default_str();
     add_pending_option(parser, "--effect", "NAME=auto|on|off");
-    add_pending_option(parser, "--memory-limit", "MiB");
-    parser.add_option("--time-limit", solving.time_limit, "Seconds after which the last complete solution is written")
+    parser
+        .add_option("--memory-limit", solving.limits.memory_mib,
+                    "MiB of resident memory, beyond which the last complete solution is written")
+        ->check(positive());
+    parser.add_option("--time-limit", solving.limits.seconds, "Seconds after which the last complete solution is written")
         ->check(positive());
 }
 

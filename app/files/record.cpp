@@ -84,6 +84,7 @@ std::string to_json(const Record &record) {
                        {"version", PENUMBRA_VERSION},
                        {"iterations", std::move(iterations)},
                        {"final", final_state(solution)},
+                       {"stopped_by", record.stopped_by.empty() ? Json() : Json(record.stopped_by)},
                        {"effects", nullptr},
                        {"diagnostics", diagnostics(record.health)}};
     // Scene names are bytes that need not be UTF-8.

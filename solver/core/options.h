@@ -29,6 +29,7 @@ constexpr bool is_constant(Strategy s) {
 /// The paper's products of Legendre polynomials of a quad's parameters, or polynomials of the plane on convex polygons.
 enum class BasisFamily { parametric, planar };
 std::string_view name(BasisFamily family);
+std::optional<BasisFamily> basis_family_from_name(std::string_view name);
 
 /// Where strategies that cut may cut: along discontinuity curves alone, or where no curve is worth it along the straight
 /// line that lowers the error most, too (the paper's outlook, section 6; Campbell & Fussell 1990).

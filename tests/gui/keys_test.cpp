@@ -24,6 +24,7 @@ const std::map<std::string, Expected> &expectations() {
     static const std::map<std::string, Expected> all{
         {"check.all", {"/shelf/cases/plain/0", "ok", {}}},
         {"file.open", {"/open_dialog", true, {}}},
+        {"file.state", {"/saved", nullptr, {}}},
         {"file.picture", {"/picture", nullptr, {}}},
         {"file.window_picture", {"/picture", nullptr, {}}},
         {"solve.play", {"/playing", true, {"solve.reset"}}},
