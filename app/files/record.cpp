@@ -78,6 +78,7 @@ std::string to_json(const Record &record) {
                        {"basis", name(record.options.basis)},
                        {"order", record.options.effective_order()},
                        {"cut", name(record.options.cut)},
+                       {"coarse_correction", name(record.options.coarse_correction)},
                        {"threshold", record.options.threshold},
                        {"tolerance", nullptr},
                        {"threads", threads()},

@@ -16,7 +16,8 @@ Json triple(const Vector &v) {
 
 Json options(const Options &o) {
     return {{"threshold", o.threshold}, {"basis", name(o.basis)},   {"order", o.order},
-            {"cut", name(o.cut)},       {"max_depth", o.max_depth}, {"max_iterations", o.max_iterations}};
+            {"cut", name(o.cut)},       {"max_depth", o.max_depth}, {"max_iterations", o.max_iterations},
+            {"coarse_correction", name(o.coarse_correction)}};
 }
 
 Json camera(const Camera &c) {
