@@ -1,6 +1,8 @@
 #include "action.h"
 
 #include "keyhole_verbs.h"
+#include "microscope_verbs.h"
+#include "shelf_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -37,6 +39,14 @@ template <Layout layout>
 bool uses_layout(const State &s) {
     return s.layout == layout;
 }
+template <Inspector inspector>
+void use_inspector(State &s) {
+    toggle_inspector(s, inspector);
+}
+template <Inspector inspector>
+bool uses_inspector(const State &s) {
+    return s.inspector == inspector;
+}
 template <Shading shading>
 void use_shading(State &s) {
     s.look.shading = shading;
@@ -67,6 +77,10 @@ void cancel(State &s) {
         s.pinned_curve.reset();
     } else if (s.keyhole.open) {
         s.keyhole.open = false;
+    } else if (s.shelf.checking) {
+        stop_check(s);
+    } else if (s.inspector != Inspector::none && !can_cancel(s)) {
+        s.inspector = Inspector::none;
     } else if (can_cancel(s)) {
         s.cancel_request = true;
         s.halted = true;
@@ -106,8 +120,11 @@ constexpr int far_ahead(int) { return 1'000'000; }
 
 const std::vector<Action> &list() {
     static const std::vector<Action> all{
-        {"file.open", Menu::file, "Open…", "Opens a scene; a file may also be dropped on the window.", {"Ctrl+O"},
+        {"file.open", Menu::file, "Open…",
+         "Opens a scene, a saved state or a picture; a file may also be dropped on the window.", {"Ctrl+O"},
          [](State &s) { s.open_dialog = !s.open_dialog; }},
+        {"file.state", Menu::file, "Save state", "Saves scene, options, step and view, to be opened again.", {"Ctrl+S"},
+         [](State &s) { s.state_request = true; }, has_scene},
         {"file.picture", Menu::file, "Save picture", "Saves the panes with their labels and legend as a numbered PNG.",
          {"F12"}, [](State &s) { s.picture_request = PictureRequest::panes; }, has_scene},
         {"file.window_picture", Menu::file, "Save picture of the window", "Saves the whole window as a numbered PNG.",
@@ -128,6 +145,11 @@ const std::vector<Action> &list() {
         {"solve.end", Menu::solve, "To the end", "Iterates until nothing changes any more.", {"End"}, go<far_ahead>,
          can_go_on},
         {"solve.cancel", Menu::solve, "Cancel", "Stops the solver; the last complete state stays.", {"Escape"}, cancel},
+
+        {"check.all", Menu::solve, "Check the hard cases", "Solves every case of the shelf in both bases and measures it.",
+         {"Shift+H"}, check_shelf, [](const State &s) { return !s.shelf.checking; }},
+        {"check.stop", Menu::solve, "Stop checking", "What has been measured stays.", {}, stop_check,
+         [](const State &s) { return s.shelf.checking; }},
 
         {"strategy.a", Menu::strategy, "(a) Uniform meshing, constant basis",
          "Splits in four where the fit is poor; one value a patch.", {"1"}, use_strategy<Strategy::uniform_constant>,
@@ -163,6 +185,11 @@ const std::vector<Action> &list() {
         {"view.keyhole", Menu::view, "Keyhole",
          "Shows what a point sees of each light; drag the point over a surface.", {"K"}, toggle_keyhole, has_scene,
          [](const State &s) { return s.keyhole.open; }},
+        {"view.filters", Menu::view, "Filter microscope",
+         "Shows the push and pull filters of the split that made a patch; click one.", {"T"},
+         use_inspector<Inspector::filters>, has_scene, uses_inspector<Inspector::filters>},
+        {"view.hard_cases", Menu::view, "Hard cases", "The shelf of small scenes that are hard to solve, and their checks.",
+         {"H"}, use_inspector<Inspector::hard_cases>, nullptr, uses_inspector<Inspector::hard_cases>},
         {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop, in all panes.", {"E"},
          [](State &s) { change_exposure(s, 0.5); }},
         {"view.darker", Menu::view, "Darker", "Exposure down by half a stop, in all panes.", {"Shift+E"},

@@ -2,12 +2,14 @@
 // follows from it.
 #pragma once
 
+#include "iteration/split_filters.h"
 #include "measure/keyhole.h"
 #include "render/camera.h"
 #include "render/event_words.h"
 #include "render/look.h"
 #include "render/pick.h"
 #include "scene/scene.h"
+#include "shelf.h"
 #include "timeline.h"
 
 #include <algorithm>
@@ -65,6 +67,26 @@ struct KeyholeMode {
     EventWords news;                           ///< what that has changed
 };
 
+/// What stands at the right of the panes.
+enum class Inspector { none, filters, hard_cases };
+
+struct SurfacePoint {
+    int surface = 0;
+    Vec3 point; ///< scene's own frame
+};
+
+/// Looking at the filters of one split; see microscope_verbs.h.
+struct Microscope {
+    std::optional<SurfacePoint> at; ///< the splits above the patch that holds it are looked at; none: nothing yet
+    int outward = 0;                ///< how many splits above the innermost one
+    int piece = 0;                  ///< that is looked at
+    std::shared_ptr<const SplitFilters> shown; ///< null: no split there
+    std::uint64_t version = 0;                 ///< of the snapshot that it is from
+    int split = -1;                            ///< of that snapshot
+    int n_splits = 0;                          ///< above the patch
+    std::string reading;                       ///< the number under the mouse, with its place
+};
+
 struct AppState {
     // What is solved.
     std::shared_ptr<const Scene> scene;
@@ -88,6 +110,7 @@ struct AppState {
                                         Strategy::uniform_wavelet, Strategy::discontinuity_wavelet},
                                        3}}};
     Look look;
+    std::optional<Range> chosen_range; ///< came with a state; none: look.range follows what is shown
     Camera camera;
     bool camera_is_set = false; ///< false: the first view is taken with the next snapshot
     bool camera_moved = false;  ///< by the user
@@ -97,6 +120,10 @@ struct AppState {
     std::optional<int> hovered_curve; ///< of the active pane's curves; those of emitters come first and are the same in all panes
     std::optional<int> pinned_curve;  ///< by a click: stays in the limelight
     KeyholeMode keyhole;
+    Inspector inspector = Inspector::none;
+    Microscope microscope;
+    Shelf shelf;
+    std::optional<Vec3> keyhole_to_open; ///< came with a state; looked from as soon as something is known
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins
     std::optional<glm::dvec3> orbit_pivot; ///< of the drag that is going on
     std::optional<glm::dvec3> drag_anchor; ///< point that a pan keeps under the mouse
@@ -114,10 +141,11 @@ struct AppState {
     // Asked of the window; it does them and takes them back.
     std::optional<std::string> open_request; ///< bundled name or file
     std::optional<PictureRequest> picture_request;
+    bool state_request = false;
     bool cancel_request = false, quit_request = false;
 
     std::map<std::string, WindowRect> widgets; ///< where each control was drawn in the last frame, by action or name
-    std::string last_picture; ///< file
+    std::string last_picture, last_state; ///< files
     int inputs = 0;           ///< keys that were pressed so far; tests wait for theirs to be taken
     double cancel_ms = -1;    ///< from the last cancel to its answer; negative: none yet
 

@@ -2,6 +2,9 @@
 
 #include "core/atomic_write.h"
 #include "core/error.h"
+#include "core/read_text.h"
+#include "files/png_state.h"
+#include "files/read_state.h"
 
 #include <epoxy/gl.h>
 #include <png.h>
@@ -12,8 +15,6 @@
 
 namespace penumbra {
 namespace {
-
-constexpr char state_key[] = "penumbra";
 
 [[noreturn]] void on_error(png_structp png, png_const_charp message) {
     // libpng's callers are left by an exception: everything they own is freed by destructors.
@@ -76,7 +77,7 @@ void write_png(const std::filesystem::path &path, const Image &image, const std:
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    std::string key = state_key, text = state, nothing;
+    std::string key = png_state_key, text = state, nothing;
     png_text chunk{};
     chunk.compression = PNG_ITXT_COMPRESSION_zTXt;
     chunk.key = key.data();
@@ -114,15 +115,7 @@ Image read_png(const std::filesystem::path &path) {
 }
 
 std::optional<std::string> read_png_state(const std::filesystem::path &path) {
-    Reader reader(path);
-    png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
-    png_read_info(reader.png, reader.info);
-    png_textp texts = nullptr;
-    const int n = png_get_text(reader.png, reader.info, &texts, nullptr);
-    for (int i = 0; i < n; ++i)
-        if (std::strcmp(texts[i].key, state_key) == 0)
-            return std::string(texts[i].text);
-    return std::nullopt;
+    return state_in_png(path.string(), read_bytes(path, largest_png), largest_state);
 }
 
 std::filesystem::path numbered_name(const std::filesystem::path &folder, const std::string &stem,

@@ -4,6 +4,7 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <csignal>
 #include <new>
 #include <sstream>
 #include <string>
@@ -51,6 +52,7 @@ int run(std::vector<std::string> arguments) {
 } // namespace
 
 int main(int argc, char **argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that grows beyond what is allowed is an error of its write, as a full disk is
     try {
         return run({argv + 1, argv + argc});
     } catch (const BadInput &e) {

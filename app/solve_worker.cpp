@@ -8,8 +8,8 @@
 
 namespace penumbra {
 
-SolveWorker::SolveWorker(ReadScene read_scene, std::function<void()> wake)
-    : read_scene_(std::move(read_scene)), wake_(std::move(wake)),
+SolveWorker::SolveWorker(ReadFile read_file, std::function<void()> wake)
+    : read_file_(std::move(read_file)), wake_(std::move(wake)),
       thread_([this](const std::stop_token &stop) { work(stop); }) {}
 
 SolveWorker::~SolveWorker() {
@@ -135,7 +135,7 @@ void SolveWorker::advance(const Task &task) {
 
 void SolveWorker::read(const std::string &name) {
     try {
-        report(Opened{read_scene_(name)});
+        report(Opened{read_file_(name)});
     } catch (const std::exception &e) {
         report(Refused{e.what()});
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "files/open_file.h"
 #include "iteration/solver.h"
 
 #include <array>
@@ -32,10 +33,10 @@ struct Goal {
     }
 };
 
-struct Opened { ///< a scene was read
-    std::shared_ptr<const Scene> scene;
+struct Opened { ///< a file was read
+    OpenedFile file;
 };
-struct Refused { ///< a scene could not be read; one line
+struct Refused { ///< a file could not be read; one line
     std::string sentence;
 };
 struct Begun { ///< a phase is being computed
@@ -61,16 +62,16 @@ using Report = std::variant<Opened, Refused, Begun, Reached, Failed, Stopped, Re
 
 class SolveWorker {
 public:
-    using ReadScene = std::function<std::shared_ptr<const Scene>(const std::string &)>;
+    using ReadFile = std::function<OpenedFile(const std::string &)>;
 
-    /// `read_scene` throws what its caller should be told; `wake` is called from the worker's thread after each report.
-    SolveWorker(ReadScene read_scene, std::function<void()> wake);
+    /// `read_file` throws what its caller should be told; `wake` is called from the worker's thread after each report.
+    SolveWorker(ReadFile read_file, std::function<void()> wake);
     /// Cancels and joins.
     ~SolveWorker();
     SolveWorker(const SolveWorker &) = delete;
     SolveWorker &operator=(const SolveWorker &) = delete;
 
-    /// Reads a scene as soon as the present phase is over; the answer is Opened or Refused.
+    /// Reads a file as soon as the present phase is over; the answer is Opened or Refused.
     void open(std::string name_or_file);
     /// Takes the place of the goal before. A phase that the new goal has no use for is cancelled.
     void aim(Goal goal);
@@ -98,7 +99,7 @@ private:
     void read(const std::string &name);
     void report(Report report);
 
-    ReadScene read_scene_;
+    ReadFile read_file_;
     std::function<void()> wake_;
 
     std::mutex mutex_; ///< guards all down to running_

@@ -22,6 +22,14 @@ constexpr Phase phase_of(int position) {
     return phases[(position - 1) % phases_per_iteration];
 }
 
+/// The reverse of both.
+constexpr int position_of(int iteration, Phase phase) {
+    return phase == Phase::start ? 0 : phases_per_iteration * (iteration - 1) + static_cast<int>(phase);
+}
+
+/// The end of an iteration.
+constexpr int step_position(int iteration) { return phases_per_iteration * iteration; }
+
 /// Where one step forward leads: the end of the present iteration, or of the next where it is complete.
 constexpr int step_forward(int position) { return (position / phases_per_iteration + 1) * phases_per_iteration; }
 

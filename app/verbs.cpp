@@ -1,6 +1,7 @@
 #include "verbs.h"
 
 #include "keyhole_verbs.h"
+#include "restore.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -43,25 +44,32 @@ void start_anew(AppState &state) {
     state.timelines = {};
     state.busy.reset();
     state.under_cursor.reset();
+    state.chosen_range.reset();
     state.halted = false;
 }
 
 void apply(AppState &state, const Opened &opened) {
-    const bool same = state.scene && state.scene->name == opened.scene->name;
-    state.scene = opened.scene;
+    const Scene &scene = *opened.file.scene;
+    const bool same = state.scene && state.scene->name == scene.name;
+    state.scene = opened.file.scene;
     state.hovered_curve.reset();
     state.pinned_curve.reset();
     state.look.curve_filter.source = -1;
     state.keyhole = {};
+    state.microscope = {};
+    state.keyhole_to_open.reset();
     state.opening.clear();
     state.playing = false;
     state.position = 0;
     start_anew(state);
     if (!same)
         state.camera_is_set = false;
-    state.message = {"Opened " + opened.scene->name + ": " + std::to_string(opened.scene->n_surfaces()) + " surfaces." +
-                         (opened.scene->notes.empty() ? "" : " " + opened.scene->notes.front()),
+    const std::vector<std::string> notes = opened.file.notes();
+    state.message = {"Opened " + scene.name + ": " + std::to_string(scene.n_surfaces()) + " surfaces." +
+                         (notes.empty() ? "" : " " + notes.front()),
                      false};
+    if (opened.file.state)
+        restore(state, *opened.file.state);
 }
 
 void apply(AppState &state, const Refused &refused) {
@@ -83,6 +91,7 @@ void apply(AppState &state, const Reached &reached) {
     timeline.ended = reached.ended;
     state.busy.reset();
     state.fresh_since = Clock::now();
+    find_what_was_restored(state, reached.strategy);
     if (state.position > 0 && reached.strategy == state.active_strategy())
         tell(state);
     if (state.position > end_position(state) && all_ended(state)) {

@@ -1,7 +1,11 @@
 #include "commands/interrupt.h"
 
 #include "commands/command.h"
+#include "core/resident_memory.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
@@ -11,11 +15,13 @@ namespace penumbra {
 
 namespace {
 
+enum class Limit { none, time, memory };
+
 // A signal handler can reach nothing but static, lock-free state.
 Cancel cancelled;
 std::atomic<int> signal_seen{0};
-std::atomic<bool> time_is_up{false};
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+std::atomic<Limit> limit_met{Limit::none};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<Limit>::is_always_lock_free);
 
 void on_signal(int signal) {
     signal_seen = signal;
@@ -23,28 +29,37 @@ void on_signal(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
-/// Sleeps until the limit or until asked to stop.
-void watch(const std::stop_token &stop, double seconds) {
+/// Until a limit is met, or it is asked to stop.
+void watch(const std::stop_token &stop, const Limits &limits) {
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    constexpr double longest_sleep = 3600, between_looks = 0.01; // [s]
+    const auto start = Clock::now();
     std::mutex mutex;
     std::unique_lock lock(mutex);
     std::condition_variable_any asleep;
-    asleep.wait_for(lock, stop, std::chrono::duration<double>(seconds), [] { return false; });
-    if (!stop.stop_requested()) {
-        time_is_up = true;
-        cancelled.raise();
+    while (!stop.stop_requested()) {
+        const double left = limits.seconds ? *limits.seconds - Seconds(Clock::now() - start).count() : longest_sleep;
+        if (left <= 0 || (limits.memory_mib && resident_mib() > *limits.memory_mib)) {
+            limit_met = left <= 0 ? Limit::time : Limit::memory;
+            cancelled.raise();
+            return;
+        }
+        asleep.wait_for(lock, stop, Seconds(std::min(left, limits.memory_mib ? between_looks : longest_sleep)),
+                        [] { return false; });
     }
 }
 
 } // namespace
 
-Interrupt::Interrupt(std::optional<double> time_limit) {
+Interrupt::Interrupt(const Limits &limits) : limits_(limits) {
     cancelled.lower();
     signal_seen = 0;
-    time_is_up = false;
+    limit_met = Limit::none;
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
-    if (time_limit)
-        clock_ = std::jthread([seconds = *time_limit](const std::stop_token &stop) { watch(stop, seconds); });
+    if (limits.seconds || limits.memory_mib)
+        watch_ = std::jthread([limits](const std::stop_token &stop) { watch(stop, limits); });
 }
 
 Interrupt::~Interrupt() {
@@ -54,10 +69,31 @@ Interrupt::~Interrupt() {
 
 const Cancel &Interrupt::cancel() const { return cancelled; }
 
+void Interrupt::lift_limits() {
+    watch_ = {};
+    if (limit_met.exchange(Limit::none) != Limit::none && signal_seen == 0)
+        cancelled.lower();
+}
+
 int Interrupt::exit_status() const {
     if (signal_seen != 0)
         return 128 + signal_seen;
-    return time_is_up ? not_reached : done;
+    return limit_met != Limit::none ? not_reached : done;
+}
+
+std::string Interrupt::cause() const {
+    if (signal_seen != 0)
+        return "interrupt";
+    return limit_met == Limit::time ? "time limit" : limit_met == Limit::memory ? "memory limit" : "";
+}
+
+std::string Interrupt::sentence() const {
+    if (signal_seen != 0)
+        return "interrupted";
+    if (limit_met == Limit::time)
+        return fmt::format("the time limit of {:g} s stopped it", *limits_.seconds);
+    return limit_met == Limit::memory ? fmt::format("the memory limit of {:g} MiB stopped it", *limits_.memory_mib)
+                                      : "";
 }
 
 } // namespace penumbra

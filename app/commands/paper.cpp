@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "files/paper_table.h"
 #include "files/picture_state.h"
+#include "files/write_state.h"
 #include "render/picture.h"
 #include "window/offscreen.h"
 
@@ -51,7 +52,7 @@ Camera from_the_lamps_side(const Snapshot &snapshot, double aspect) {
 
 void draw(PictureSpec spec, const Scene &scene, const std::filesystem::path &file) {
     spec.camera = from_the_lamps_side(*spec.panes.front().snapshot, pane_aspect(spec));
-    write_png(file, draw_picture(spec), picture_state(spec, scene.file));
+    write_png(file, draw_picture(spec), state_text(picture_state(spec, scene, file.parent_path())));
 }
 
 int run(const SolvingOptions &solving, const CommonOptions &common) {
@@ -60,7 +61,7 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
     const auto scene = std::make_shared<const Scene>(open_scene(solving, common));
     const Offscreen context;
     set_threads(solving.options.threads);
-    const Interrupt interrupt(solving.time_limit);
+    const Interrupt interrupt(solving.limits);
 
     Solutions solutions;
     bool converged = true;
@@ -85,7 +86,7 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
         }
     }
     if (const int status = interrupt.exit_status(); status != done) {
-        complain("stopped before all four strategies were solved; nothing was written");
+        complain(interrupt.sentence() + " before all four strategies were solved; nothing was written");
         return status;
     }
 
@@ -123,6 +124,7 @@ Command add_paper(CLI::App &root) {
     const auto solving = std::make_shared<SolvingOptions>();
     const auto common = std::make_shared<CommonOptions>();
     solving->scene = "figure-4";
+    solving->options.threshold = paper_threshold;
     add_solving_options(*parser, *solving);
     parser->remove_option(parser->get_option("--strategy")); // it shows all four
     add_common_options(*parser, *common, "The folder that is written to; made when it is missing");

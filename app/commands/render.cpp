@@ -3,13 +3,17 @@
 #include "commands/interrupt.h"
 #include "commands/iterate.h"
 #include "commands/look_options.h"
+#include "commands/say_again.h"
 #include "commands/solving_options.h"
 #include "commands/terminal.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "files/open_file.h"
 #include "files/picture_state.h"
+#include "files/write_state.h"
 #include "measure/keyhole.h"
 #include "render/picture.h"
+#include "timeline.h"
 #include "window/offscreen.h"
 
 #include <CLI/Option.hpp>
@@ -19,6 +23,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,9 +36,45 @@ namespace {
 
 struct RenderOptions {
     std::vector<Strategy> panes; ///< side by side, labelled; empty: the one of --strategy
-    std::optional<int> steps;    ///< none: to the fixed point
+    std::optional<int> steps;    ///< none: to `position`
+    std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
+    bool priced = true;          ///< two panes have a sentence on what they took
+    bool legend = true;
+    std::optional<Camera> camera; ///< of a saved state; --view goes before
     LookOptions look;
+    /// Where they come from, for messages.
+    std::string curve_field = "--curve", keyhole_field = "--keyhole";
 };
+
+/// What the state says, and over it what was said beside it.
+void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &solving, RenderOptions &options) {
+    const int threads = solving.options.threads;
+    solving.options = state.options;
+    solving.options.threads = threads;
+    const SavedPicture picture = state.picture.value_or(SavedPicture{.lettered = true});
+    if (picture.lettered || state.strategies.size() > 1)
+        options.panes = state.strategies;
+    options.priced = picture.priced;
+    options.legend = state.legend;
+    if (!state.converged)
+        options.position = state.position;
+    options.camera = state.camera;
+    options.look.width = picture.width;
+    options.look.height = picture.height;
+    options.look.look = state.look;
+    options.look.keyhole = state.keyhole;
+    say_again(parser);
+    if (parser.count("--curve") == 0)
+        options.curve_field = solving.scene + ": curves.shown";
+    if (parser.count("--keyhole") == 0)
+        options.keyhole_field = solving.scene + ": keyhole";
+    if (parser.count("--strategy") > 0 && parser.count("--panes") + parser.count("--layout") == 0)
+        options.panes.clear();
+    if (parser.count("--panes") > 0)
+        options.priced = true;
+    if (options.steps)
+        options.look.look.emphasise_fresh = true;
+}
 
 /// The surface of that number, or the first of that name; BadInput when there is none.
 int find_surface(const Snapshot &snapshot, const std::string &text) {
@@ -45,23 +86,32 @@ int find_surface(const Snapshot &snapshot, const std::string &text) {
 }
 
 /// What the options say of curves, now that these are known.
-void choose_curves(const LookOptions &options, const Snapshot &snapshot, Look &look) {
-    if (!options.curve_source.empty())
-        look.curve_filter.source = find_surface(snapshot, options.curve_source);
+void choose_curves(const RenderOptions &options, const Snapshot &snapshot, Look &look) {
+    if (!options.look.curve_source.empty())
+        look.curve_filter.source = find_surface(snapshot, options.look.curve_source);
     if (const auto n = static_cast<int>(snapshot.curves->size()); look.spotlight.curve >= n)
-        throw BadInput("--curve " + std::to_string(look.spotlight.curve) + ": the scene has " + std::to_string(n) +
-                       " curves, counted from 0; 'penumbra curves' lists them");
+        throw BadInput(options.curve_field + " " + std::to_string(look.spotlight.curve) + ": the scene has " +
+                       std::to_string(n) + " curves, counted from 0; 'penumbra curves' lists them");
 }
 
 /// BadInput where there is no surface that reflects.
-std::shared_ptr<const Keyhole> look_from(const std::shared_ptr<const Scene> &scene, const Vec3 &point) {
+std::shared_ptr<const Keyhole> look_from(const std::shared_ptr<const Scene> &scene, const Vec3 &point,
+                                         const std::string &field) {
     const KeyholeEye eye(scene);
     const SurfaceId surface = eye.surface_at(point, 1e-3);
     if (!surface.valid())
-        throw BadInput(
-            "--keyhole: no surface that reflects lies within a thousandth of the scene's size of this point; "
-            "give a point of a floor, a wall, a table");
+        throw BadInput(field + ": no surface that reflects lies within a thousandth of the scene's size of this point; "
+                               "give a point of a floor, a wall, a table");
     return std::make_shared<const Keyhole>(eye.look(surface, point));
+}
+
+Camera camera_of(const RenderOptions &options, const Scene &scene, const Snapshot &snapshot, double aspect) {
+    if (options.camera && !options.look.view)
+        return *options.camera;
+    Scene seen = scene;
+    if (options.look.view)
+        seen.view = options.look.view;
+    return first_view(seen, snapshot, aspect);
 }
 
 std::string tag_of(Strategy strategy) { return std::string("(") + "abcd"[static_cast<int>(strategy)] + ")"; }
@@ -97,17 +147,38 @@ std::string price(const Snapshot &one, const Snapshot &other, double tracing) {
                        one.curves->size());
 }
 
-int run(const SolvingOptions &solving, const RenderOptions &options, const CommonOptions &common) {
+/// Steps to the position asked for, whose last iteration may stop after a phase.
+void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Progress &progress) {
+    const int most = solver.options().max_iterations;
+    const int position = options.steps ? step_position(*options.steps) : options.position.value_or(step_position(most));
+    iterate(solver, position / phases_per_iteration, cancel, progress);
+    const auto complete = solver.state();
+    try {
+        for (int i = 0; i < position % phases_per_iteration && !solver.converged() && !cancel.raised(); ++i)
+            solver.sub_step(&cancel);
+    } catch (const Cancelled &) {
+        solver.restore(complete);
+    }
+}
+
+int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options, const CommonOptions &common) {
     check_deliverable(common.output);
-    const auto scene = std::make_shared<const Scene>(open_scene(solving, common));
+    const OpenedFile opened = open_file(solving.scene, solving.up_vector());
+    if (!common.quiet)
+        say_notes(opened.notes());
+    const std::shared_ptr<const Scene> &scene = opened.scene;
+    options.look.look.emphasise_fresh = options.steps.has_value();
+    if (opened.state)
+        take_over(*opened.state, parser, solving, options);
     const Offscreen context; // before the work: where there is no GL, it would be for nothing
     set_threads(solving.options.threads);
-    const Interrupt interrupt(solving.time_limit);
+    const Interrupt interrupt(solving.limits);
 
     PictureSpec spec;
     spec.width = options.look.width;
     spec.height = options.look.height;
     spec.look = options.look.look;
+    spec.legend = options.legend;
     spec.columns = options.panes.size() > 1 ? 2 : 1;
     bool converged = true;
     double tracing = 0;
@@ -119,34 +190,31 @@ int run(const SolvingOptions &solving, const RenderOptions &options, const Commo
             Solver solver(scene, o, &interrupt.cancel());
             tracing = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             Progress progress(o, common.quiet, common.verbose);
-            iterate(solver, options.steps.value_or(o.max_iterations), interrupt.cancel(), progress);
+            go(solver, options, interrupt.cancel(), progress);
             converged &= solver.converged();
             const std::string tag = options.panes.empty() ? "" : tag_of(strategy);
             spec.panes.push_back({solver.snapshot(interrupt.exit_status() == done), tag});
         } catch (const Cancelled &) { // while the curves were made: there is nothing to draw
-            complain("stopped before there was anything to draw");
+            complain(interrupt.sentence() + " before there was anything to draw; nothing was written");
             return interrupt.exit_status();
         }
     }
     const Snapshot &first = *spec.panes.front().snapshot;
-    choose_curves(options.look, first, spec.look);
-    if (options.panes.size() == 2)
+    choose_curves(options, first, spec.look);
+    if (options.panes.size() == 2 && options.priced)
         spec.caption = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
     if (options.look.keyhole)
-        spec.keyhole = look_from(scene, *options.look.keyhole);
-    Scene seen = *scene;
-    if (options.look.view)
-        seen.view = options.look.view;
-    spec.camera = first_view(seen, first, pane_aspect(spec));
-    // The step's news are of interest while stepping; in a finished solution they would be whatever came last.
-    spec.look.emphasise_fresh = options.steps.has_value();
-    write_png(common.output, draw_picture(spec), picture_state(spec, scene->file));
+        spec.keyhole = look_from(scene, *options.look.keyhole, options.keyhole_field);
+    spec.camera = camera_of(options, *scene, first, pane_aspect(spec));
+    const SavedState saved = picture_state(spec, *scene, std::filesystem::path(common.output).parent_path());
+    write_png(common.output, draw_picture(spec), state_text(saved));
 
     if (const int status = interrupt.exit_status(); status != done) {
-        complain("stopped early; the picture shows the last complete solution");
+        complain(fmt::format("{}; the picture shows the last complete solution, of iteration {}", interrupt.sentence(),
+                             first.counters.iteration));
         return status;
     }
-    if (!converged && !options.steps) {
+    if (!converged && !options.steps && !options.position) {
         complain("the fixed point was not reached in " + std::to_string(solving.options.max_iterations) +
                  " iterations; raise --max-iterations or --threshold");
         return not_reached;
@@ -161,7 +229,12 @@ Command add_render(CLI::App &root) {
     const auto solving = std::make_shared<SolvingOptions>();
     const auto common = std::make_shared<CommonOptions>();
     const auto options = std::make_shared<RenderOptions>();
-    add_scene_options(*parser, *solving);
+    parser
+        ->add_option("FILE", solving->scene,
+                     "An OBJ or glTF file, the name of a bundled scene, a saved state (.penumbra.json), or a PNG that "
+                     "Penumbra wrote; options beside a state go before it")
+        ->required();
+    add_up_option(*parser, *solving);
     parser
         ->add_option_function<std::string>(
             "--layout",
@@ -181,7 +254,7 @@ Command add_render(CLI::App &root) {
     add_solving_options(*parser, *solving);
     add_common_options(*parser, *common, "The picture, a PNG");
     parser->get_option("--output")->required();
-    return {parser, [=] { return run(*solving, *options, *common); }};
+    return {parser, [=] { return run(*parser, *solving, *options, *common); }};
 }
 
 } // namespace penumbra

@@ -10,7 +10,10 @@
 #include "iteration/solver.h"
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <memory>
+#include <string>
 
 namespace penumbra {
 
@@ -23,24 +26,30 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
     const std::vector<Probe> probes = solving.probe.empty() ? std::vector<Probe>() : read_probes(solving.probe);
     set_threads(solving.options.threads);
 
-    const Interrupt interrupt(solving.time_limit);
+    Interrupt interrupt(solving.limits);
     Record record{.scene = solving.scene, .options = solving.options};
     try {
         Solver solver(scene, solving.options, &interrupt.cancel());
         Progress progress(solving.options, common.quiet, common.verbose);
         record.iterations = iterate(solver, solving.options.max_iterations, interrupt.cancel(), progress);
+        if (solver.converged())
+            interrupt.lift_limits();
         // The error is against an exact solution that takes its time: not after an interrupt.
         record.solution = solver.snapshot(interrupt.exit_status() == done);
         record.health = health(*scene, *solver.state());
     } catch (const Cancelled &) { // while the curves were made: there is no solution yet
     }
+    record.stopped_by = interrupt.cause();
     deliver(common.output, to_json(record));
     if (!solving.probe.empty() && record.solution)
         deliver(solving.probe_output, probe_csv(probes, *record.solution, scene->own.size));
 
     if (const int status = interrupt.exit_status(); status != done) {
-        complain(status == not_reached ? "the time limit stopped it; the last complete solution was written"
-                                       : "interrupted; the last complete solution was written");
+        const std::string reached = record.solution
+                                        ? fmt::format("the last complete solution, of iteration {}, was written",
+                                                      record.solution->counters.iteration)
+                                        : "there was no solution yet; the record says so";
+        complain(interrupt.sentence() + "; " + reached);
         return status;
     }
     if (!record.solution->counters.converged) {

@@ -109,10 +109,20 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
     parser.add_option("--max-iterations", o.max_iterations, "Iterations before giving up")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
+    parser
+        .add_option_function<std::string>(
+            "--coarse-correction",
+            [&o](const std::string &text) { o.coarse_correction = *switch_from_name(text); },
+            "auto (default: where a reflectance reaches 0.95), on or off: each step goes on with a constant on each "
+            "surface, solved for directly")
+        ->check(CLI::IsMember({"auto", "on", "off"}));
     parser.add_option("--threads", o.threads, "Threads; 0: all cores")->check(CLI::Range(0, 4096))->capture_default_str();
     add_pending_option(parser, "--effect", "NAME=auto|on|off");
-    add_pending_option(parser, "--memory-limit", "MiB");
-    parser.add_option("--time-limit", solving.time_limit, "Seconds after which the last complete solution is written")
+    parser
+        .add_option("--memory-limit", solving.limits.memory_mib,
+                    "MiB of resident memory, beyond which the last complete solution is written")
+        ->check(positive());
+    parser.add_option("--time-limit", solving.limits.seconds, "Seconds after which the last complete solution is written")
         ->check(positive());
 }
 

@@ -1,6 +1,7 @@
 // The options of all commands that solve; see CONTRACT's "Commands" in the README.
 #pragma once
 
+#include "commands/interrupt.h"
 #include "core/options.h"
 #include "core/vec.h"
 
@@ -17,7 +18,7 @@ struct SolvingOptions {
     std::string scene; ///< a file or a bundled scene's name
     std::string up; ///< empty: the format's own
     Options options;
-    std::optional<double> time_limit; ///< [s]
+    Limits limits;
     std::string probe, probe_output;  ///< empty: none
 
     std::optional<Vec3> up_vector() const;
@@ -37,8 +38,8 @@ void add_up_option(CLI::App &parser, SolvingOptions &solving);
 /// The positional SCENE and --up.
 void add_scene_options(CLI::App &parser, SolvingOptions &solving);
 
-/// --strategy, --cut, --basis, --order, --threshold, --max-depth, --max-iterations, --threads, --time-limit; those whose
-/// capability is still to come (--tolerance, --basis planar, --effect, --memory-limit) are refused while parsing.
+/// --strategy, --cut, --basis, --order, --threshold, --max-depth, --max-iterations, --threads, --memory-limit,
+/// --time-limit; those whose capability is still to come (--tolerance, --effect) are refused while parsing.
 void add_solving_options(CLI::App &parser, SolvingOptions &solving);
 
 /// --probe and --probe-output, each of which needs the other.

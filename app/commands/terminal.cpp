@@ -49,6 +49,8 @@ void check_deliverable(const std::string &file) {
     if (std::filesystem::is_directory(file, none))
         throw Unavailable("cannot write " + file + ": it is a folder");
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (std::filesystem::exists(folder, none) && !std::filesystem::is_directory(folder, none))
+        throw Unavailable("cannot write " + file + ": " + folder.string() + " is no folder");
     if (is_file && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
         throw Unavailable("cannot write " + file + ": " + std::strerror(errno));
 }

@@ -1,5 +1,8 @@
 #include "commands/command.h"
+#include "commands/say_again.h"
 #include "commands/solving_options.h"
+#include "commands/terminal.h"
+#include "files/open_file.h"
 #include "scene/bundled.h"
 #include "window/viewer.h"
 
@@ -12,34 +15,49 @@ namespace penumbra {
 
 namespace {
 
-int run(const SolvingOptions &solving, ViewerSetup setup) {
+int run(const CLI::App &parser, SolvingOptions &solving, ViewerSetup setup) {
     const std::optional<Vec3> up = solving.up_vector();
-    setup.read_scene = [up](const std::string &name) {
-        return std::make_shared<const Scene>(open_scene(name, up));
-    };
+    setup.read_file = [up](const std::string &name) { return open_file(name, up); };
     // Read here and not in the window, so that a bad file ends the program with its line and status.
-    setup.scene = setup.read_scene(solving.scene);
+    setup.file = setup.read_file(solving.scene);
+    if (auto &state = setup.file.state) {
+        solving.options = state->options;
+        say_again(parser);
+        state->options = solving.options;
+        if (parser.count("--strategy") > 0)
+            state->strategies[static_cast<std::size_t>(state->active)] = solving.options.strategy;
+        say_notes(state->notes);
+    }
     setup.options = solving.options;
+    setup.memory_limit = solving.limits.memory_mib;
     for (const BundledScene &scene : bundled_scenes())
         setup.bundled_scenes.emplace_back(scene.name);
-    Viewer(std::move(setup)).run();
-    return done;
+    const ViewerEnd end = Viewer(std::move(setup)).run();
+    if (end.signal == 0)
+        return done;
+    complain("interrupted; " + end.words);
+    return 128 + end.signal;
 }
 
 } // namespace
 
 Command add_view(CLI::App &root) {
-    CLI::App *parser = root.add_subcommand("view", "The viewer, on a scene; on the paper's unless one is given");
+    CLI::App *parser = root.add_subcommand("view", "The viewer, on a scene, a saved state or a picture; on the paper's scene unless one is given");
     const auto solving = std::make_shared<SolvingOptions>();
     const auto setup = std::make_shared<ViewerSetup>();
     solving->scene = "figure-4";
-    parser->add_option("FILE", solving->scene, "An OBJ or glTF file, or the name of a bundled scene");
+    solving->options.threshold = paper_threshold;
+    parser->add_option("FILE", solving->scene,
+                       "An OBJ or glTF file, the name of a bundled scene, a saved state (.penumbra.json), or a PNG that "
+                       "Penumbra wrote");
     add_up_option(*parser, *solving);
     add_solving_options(*parser, *solving);
+    parser->remove_option(parser->get_option("--time-limit")); // a window is stopped by hand
     // For tests, and so not in the help.
     parser->add_option("--state-file", setup->state_file)->group("");
     parser->add_flag("--inert", setup->inert)->group("");
-    return {parser, [=] { return run(*solving, *setup); }};
+    parser->add_flag("--lose-context", setup->lose_context)->group("");
+    return {parser, [=] { return run(*parser, *solving, *setup); }};
 }
 
 } // namespace penumbra

@@ -1,14 +1,16 @@
-// What a picture was made from, as the JSON that its file carries.
+// What a picture was made from, to be carried by its file.
 #pragma once
 
+#include "files/saved_state.h"
 #include "render/picture.h"
 
 #include <filesystem>
-#include <string>
 
 namespace penumbra {
 
-/// Scene, options, step, strategies, camera, layers and range, under the names that the window's saved states have.
-std::string picture_state(const PictureSpec &spec, const std::filesystem::path &scene_file);
+/// For a picture in that folder. Opening it draws the same picture again, but for times, which are measured anew.
+SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std::filesystem::path &folder);
+/// How it was drawn.
+SavedPicture saved_picture(const PictureSpec &spec);
 
 } // namespace penumbra

@@ -78,12 +78,14 @@ std::string to_json(const Record &record) {
                        {"basis", name(record.options.basis)},
                        {"order", record.options.effective_order()},
                        {"cut", name(record.options.cut)},
+                       {"coarse_correction", name(record.options.coarse_correction)},
                        {"threshold", record.options.threshold},
                        {"tolerance", nullptr},
                        {"threads", threads()},
                        {"version", PENUMBRA_VERSION},
                        {"iterations", std::move(iterations)},
                        {"final", final_state(solution)},
+                       {"stopped_by", record.stopped_by.empty() ? Json() : Json(record.stopped_by)},
                        {"effects", nullptr},
                        {"diagnostics", diagnostics(record.health)}};
     // Scene names are bytes that need not be UTF-8.

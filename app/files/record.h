@@ -18,6 +18,7 @@ struct Record {
     std::vector<Counters> iterations = {};
     std::shared_ptr<const Snapshot> solution = nullptr; ///< none when it was interrupted before there was one
     std::optional<Health> health = {};                  ///< of the solution
+    std::string stopped_by = {};                        ///< "interrupt", "time limit", "memory limit"; empty: nothing
 };
 
 /// JSON as the contract has it; fields whose capability is still to come are null, and so are all of `final` without a

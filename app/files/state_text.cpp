@@ -1,7 +1,8 @@
 #include "files/state_text.h"
 
-#include "files/curves_json.h"
+#include "files/write_state.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace penumbra {
@@ -12,48 +13,19 @@ using Json = nlohmann::ordered_json;
 
 Json triple(const glm::dvec3 &v) { return Json::array({v.x, v.y, v.z}); }
 
-std::string_view layout_name(Layout layout) {
-    constexpr std::string_view names[] = {"single", "two", "four"};
-    return names[static_cast<std::size_t>(layout)];
+/// What the panes show, which falls short of the position asked for while it is being computed.
+int shown_position(const AppState &s) {
+    int furthest = 0;
+    for (const Strategy strategy : s.shown())
+        furthest = std::max(furthest, s.timeline(strategy).last());
+    return std::clamp(s.position, 0, furthest);
 }
 
-Json saved(const AppState &s) {
-    Json strategies = Json::array();
-    for (const Strategy strategy : s.shown())
-        strategies.push_back(name(strategy));
-    Json j;
-    j["scene"] = s.scene ? s.scene->name : "";
-    j["file"] = s.scene ? s.scene->file.string() : "";
-    j["options"] = {{"threshold", s.options.threshold},
-                    {"basis", name(s.options.basis)},
-                    {"order", s.options.order},
-                    {"cut", name(s.options.cut)},
-                    {"max_depth", s.options.max_depth}};
-    j["position"] = s.position;
-    j["iteration"] = iteration_of(s.position);
-    j["phase"] = name(phase_of(s.position));
-    j["layout"] = layout_name(s.layout);
-    j["strategies"] = strategies;
-    j["active"] = s.panes().active;
-    j["camera"] = {{"eye", triple(s.camera.eye)},
-                   {"target", triple(s.camera.target)},
-                   {"up", triple(s.camera.up)},
-                   {"fov", s.camera.fov_y}};
-    j["layers"] = {{"mesh", s.look.layers.mesh},
-                   {"curves", s.look.layers.curves},
-                   {"links", s.look.layers.links},
-                   {"fresh", s.look.emphasise_fresh},
-                   {"legend", !s.legend_hidden}};
-    Look look = s.look;
-    look.spotlight.curve = s.pinned_curve.value_or(-1);
-    j["curves"] = curves_json(look);
-    const bool looks = s.keyhole.open && s.keyhole.seen;
-    j["keyhole"] = looks ? triple({s.keyhole.seen->point.x(), s.keyhole.seen->point.y(), s.keyhole.seen->point.z()}) : Json();
-    j["shading"] = name(s.look.shading);
-    j["false_colour"] = s.look.false_colour;
-    j["exposure"] = s.look.exposure_ev;
-    j["background"] = s.look.theme == Theme::dark ? "dark" : "light";
-    return j;
+bool all_converged(const AppState &s) {
+    return std::ranges::all_of(s.shown(), [&](Strategy strategy) {
+        const auto snapshot = s.snapshot(strategy);
+        return snapshot && snapshot->counters.converged;
+    });
 }
 
 Json pane(const AppState &s, Strategy strategy) {
@@ -84,12 +56,61 @@ Json keyhole(const KeyholeMode &mode) {
     return j;
 }
 
+Json microscope(const Microscope &m) {
+    Json j{{"splits", m.n_splits}, {"outward", m.outward}, {"piece", m.piece}, {"reading", m.reading}};
+    if (!m.shown)
+        return j;
+    const PieceFilters &piece = m.shown->pieces[static_cast<std::size_t>(m.piece)];
+    j["surface"] = m.shown->surface;
+    j["basis"] = name(m.shown->basis);
+    j["kind"] = m.shown->kind == SplitKind::cut ? "cut" : "uniform";
+    j["pieces"] = m.shown->pieces.size();
+    j["share"] = piece.share;
+    j["difference"] = piece.difference.cwiseAbs().maxCoeff();
+    j["loss"] = m.shown->loss.cwiseAbs().maxCoeff();
+    return j;
+}
+
+Json shelf(const Shelf &shelf) {
+    constexpr std::string_view names[] = {"not run", "running", "ok", "failed"};
+    Json j{{"checking", shelf.checking}, {"cases", Json::object()}};
+    for (const ShelfCase &c : shelf.cases)
+        for (const CaseVerdict &v : c.verdicts)
+            j["cases"][c.name].push_back(names[static_cast<std::size_t>(v.status)]);
+    return j;
+}
+
 } // namespace
 
-std::string saved_state_text(const AppState &state) { return saved(state).dump(1); }
+SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
+    SavedState saved;
+    if (s.scene) {
+        saved.scene = s.scene->name;
+        saved.file = place_of(*s.scene, folder);
+        saved.up = up_axis(*s.scene);
+    }
+    saved.options = s.options;
+    saved.options.strategy = s.active_strategy();
+    saved.strategies = s.shown();
+    saved.active = s.panes().active;
+    saved.position = shown_position(s);
+    saved.converged = all_converged(s);
+    if (s.camera_is_set)
+        saved.camera = s.camera;
+    saved.look = s.look;
+    saved.look.spotlight.curve = s.pinned_curve.value_or(-1);
+    saved.range_chosen = s.chosen_range.has_value();
+    saved.legend = !s.legend_hidden;
+    if (s.keyhole.open && s.keyhole.seen)
+        saved.keyhole = s.keyhole.seen->point;
+    return saved;
+}
 
 std::string observed_state_text(const AppState &s) {
-    Json j = saved(s);
+    Json j = state_json(saved_state(s, "."));
+    j["position"] = s.position;
+    j["iteration"] = iteration_of(s.position);
+    j["phase"] = name(phase_of(s.position));
     j["panes"] = Json::array();
     for (const Strategy strategy : s.shown())
         j["panes"].push_back(pane(s, strategy));
@@ -111,13 +132,17 @@ std::string observed_state_text(const AppState &s) {
     j["hovered_curve"] = s.hovered_curve ? Json(*s.hovered_curve) : Json();
     j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
     j["looking"] = keyhole(s.keyhole);
+    j["inspector"] = s.inspector == Inspector::none ? "none" : s.inspector == Inspector::filters ? "filters" : "hard_cases";
+    j["microscope"] = microscope(s.microscope);
+    j["shelf"] = shelf(s.shelf);
     j["picture"] = s.last_picture;
+    j["saved"] = s.last_state;
     j["inputs"] = s.inputs;
     j["cancel_ms"] = s.cancel_ms;
     j["widgets"] = Json::object();
     for (const auto &[widget, r] : s.widgets)
         j["widgets"][widget] = Json::array({r.x, r.y, r.width, r.height});
-    return j.dump(1);
+    return j.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
 } // namespace penumbra

@@ -30,6 +30,11 @@ Arrangement arrange(const AppState &state, float width, float height, float top,
         a.transport = {0, a.status.y - transport, width, transport};
         a.side = {0, top + bar, side, a.transport.y - top - bar};
         rest = {side, top + bar, width - side, a.side.height};
+        if (state.inspector != Inspector::none) {
+            const float inspector = std::min(std::round(25 * em), std::floor(0.5f * rest.width));
+            rest.width -= inspector;
+            a.inspector = {width - inspector, rest.y, inspector, rest.height};
+        }
     }
     rest.width = std::max(1.f, rest.width);
     rest.height = std::max(1.f, rest.height);

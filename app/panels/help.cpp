@@ -8,7 +8,9 @@ namespace {
 void row(std::string_view keys, std::string_view sentence) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
+    ImGui::PopTextWrapPos();
     ImGui::TableNextColumn();
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%.*s", static_cast<int>(sentence.size()), sentence.data());
@@ -27,8 +29,9 @@ void draw_mouse() {
     row("drag", "Turns about the point under the mouse, or about the pivot.");
     row("right drag", "Moves along; also with the middle button, or Shift and the left one.");
     row("wheel", "Up: nearer to the point under the mouse. Down: away from it.");
-    row("click", "On a curve: keeps its critical surface in sight. Elsewhere, or Esc: lets it go.");
-    row("drag, keyhole open", "On a surface: moves the point that looks. Elsewhere: turns, as ever.");
+    row("click", "On a curve: keeps its critical surface in sight. Elsewhere, or Esc: lets it go. "
+                 "With the filter microscope open, on a patch: shows its filters.");
+    row("keyhole drag", "On a surface, the keyhole open: moves the point that looks. Elsewhere: turns, as ever.");
     row("double click", "Makes the point under the mouse the pivot.");
     ImGui::EndTable();
 }
@@ -49,7 +52,9 @@ void draw_help(AppState &state) {
         return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(em(66), window.x - em(2)), 0});
+    const float width = std::min(em(78), window.x - em(2));
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - em(1)}); // beyond that it scrolls
+    ImGui::SetNextWindowSize({width, 0});
     ImGui::Begin("Keys and mouse", &state.help_open,
                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
     if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {

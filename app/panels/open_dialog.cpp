@@ -19,7 +19,7 @@ void draw_open_dialog(AppState &state) {
     ImGui::SetNextWindowSize({width, 0});
     ImGui::Begin("Open a scene", &state.open_dialog,
                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::TextDisabled("Path of an OBJ or glTF file, or the name of a bundled scene.");
+    ImGui::TextDisabled("Path of an OBJ or glTF file, a saved state or a picture, or a bundled scene's name.");
     ImGui::TextDisabled("Files may also be dropped on the window.");
     if (ImGui::IsWindowAppearing())
         ImGui::SetKeyboardFocusHere();

@@ -11,6 +11,9 @@ void draw_menu_bar(AppState &state);
 void draw_tool_bar(AppState &state, const WindowRect &rect);
 void draw_side_panel(AppState &state, const WindowRect &rect);   ///< layers, options, figures
 void draw_curve_filter(AppState &state);                          ///< in the side panel
+void draw_inspector(AppState &state, const WindowRect &rect);    ///< where it is open
+void draw_microscope(AppState &state);                            ///< in the inspector
+void draw_hard_cases(AppState &state);                            ///< in the inspector
 void draw_transport(AppState &state, const WindowRect &rect);    ///< step, play, the course so far, cancel
 void draw_status_bar(AppState &state, const WindowRect &rect);
 /// Labels and legends over the panes, and the mouse in them.

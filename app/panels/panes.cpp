@@ -1,7 +1,9 @@
 #include "keyhole_verbs.h"
+#include "microscope_verbs.h"
 #include "panels/controls.h"
 #include "panels/navigation.h"
 #include "panels/panels.h"
+#include "panels/split_sketch.h"
 #include "render/event_note.h"
 #include "render/pick_curve.h"
 #include "render/surface_role.h"
@@ -63,7 +65,7 @@ void point_at_curves(AppState &state, const Snapshot &snapshot, const WindowRect
                                   static_cast<double>(em(curve_reach)), state.look.curve_filter);
     if (found)
         state.hovered_curve = found->curve;
-    if (clicked())
+    if (clicked() && state.inspector != Inspector::filters) // which takes clicks for itself
         state.pinned_curve = state.hovered_curve;
     else if (found && !ImGui::IsItemActive() && state.pinned_curve != found->curve)
         tell_curve(snapshot, found->curve);
@@ -116,6 +118,8 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
         zoom_by(state, static_cast<double>(io.MouseWheel), point_under(state, snapshot.get(), aspect, at));
     if (snapshot)
         state.under_cursor = pick(*snapshot, state.camera, aspect, at.x, at.y);
+    if (state.inspector == Inspector::filters && state.under_cursor && clicked() && !held)
+        pick_split(state, {state.under_cursor->surface, state.under_cursor->point});
     if (snapshot && snapshot->curves && !held && !state.keyhole.dragging)
         point_at_curves(state, *snapshot, rect, at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -200,6 +204,10 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
             below = height;
     }
     draw_legends(state, list, fonts, arrangement, below);
+    const std::vector<Strategy> shown = state.shown();
+    for (std::size_t pane = 0; pane < arrangement.pane.size(); ++pane)
+        if (shown[pane] == state.active_strategy())
+            draw_split_outline(state, list, arrangement.pane[pane]);
     draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
     ImGui::End();

@@ -20,8 +20,9 @@ void label(const char *text) {
 
 void draw_scene_choice(AppState &state) {
     label("Scene");
-    ImGui::SetNextItemWidth(em(11));
     const std::string now = !state.opening.empty() ? "opening…" : state.scene ? state.scene->name : "none";
+    const float needed = ImGui::CalcTextSize(now.c_str()).x + ImGui::GetFrameHeight() + em(1);
+    ImGui::SetNextItemWidth(std::clamp(needed, em(11), em(16)));
     const bool open = ImGui::BeginCombo("##scene", now.c_str());
     if (!open)
         mark(state, "scene");
@@ -71,6 +72,10 @@ void draw_tool_bar(AppState &state, const WindowRect &rect) {
     action_button(state, "view.four", "2×2", {em(2.6f), 0});
     gap();
     action_button(state, "view.keyhole");
+    ImGui::SameLine();
+    action_button(state, "view.filters", "Filters");
+    ImGui::SameLine();
+    action_button(state, "view.hard_cases");
     const float help = em(1.9f), right = ImGui::GetWindowContentRegionMax().x;
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - help));
     action_button(state, "help.keys", "?", {help, 0});

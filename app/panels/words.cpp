@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace penumbra {
 
@@ -29,6 +30,25 @@ std::string count_words(std::int64_t n) {
 
 std::string number_words(double x) { return print("%.3g", x); }
 
+std::string power_words(double x, int digits) {
+    static constexpr const char *raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                             "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    std::string text = print("%.*g", digits, x);
+    if (!text.empty() && text[0] == '-')
+        text.replace(0, 1, "\u2212");
+    const std::size_t at = text.find('e');
+    if (at == std::string::npos)
+        return text;
+    const int power = std::stoi(text.substr(at + 1));
+    text.resize(at);
+    text += "\u00b710";
+    if (power < 0)
+        text += "\u207b";
+    for (const char digit : std::to_string(std::abs(power)))
+        text += raised[digit - '0'];
+    return text;
+}
+
 std::string rgb_words(const Rgb &c) {
     const std::string red = number_words(c[0]), green = number_words(c[1]), blue = number_words(c[2]);
     return red == green && green == blue ? red : red + " " + green + " " + blue;
@@ -44,10 +64,14 @@ std::string seconds_words(double s) {
 
 std::string phase_verb(int position) {
     switch (phase_of(position)) {
-    case Phase::start: return "Prepare";
-    case Phase::refined: return "Refine";
-    case Phase::gathered: return "Gather";
-    case Phase::pushed_pulled: return "Push and pull";
+    case Phase::start:
+        return "Prepare";
+    case Phase::refined:
+        return "Refine";
+    case Phase::gathered:
+        return "Gather";
+    case Phase::pushed_pulled:
+        return "Push and pull";
     }
     return {};
 }

@@ -12,6 +12,8 @@ namespace penumbra {
 std::string count_words(std::int64_t n);
 /// Three significant digits.
 std::string number_words(double x);
+/// The same with digits enough for what is to be compared, and powers of ten as people write them: "3.8·10⁻⁵".
+std::string power_words(double x, int digits = 3);
 /// Red, green and blue, or the one number that they all are.
 std::string rgb_words(const Rgb &c);
 /// "12 ms", "1.24 s", "3 min 20 s".

@@ -55,7 +55,7 @@ constexpr float footnote_size = 0.9f;
 Fonts load_fonts(float size) {
     // Latin, Greek, punctuation, super- and subscripts, arrows, mathematical signs.
     static const ImWchar ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2000, 0x209f, 0x2190, 0x21ff,
-                                     0x2200, 0x22ff, 0x23e9, 0x23fa, 0x25a0, 0x25ff, 0};
+                                     0x1d40, 0x1d40, 0x2200, 0x22ff, 0x23e9, 0x23fa, 0x25a0, 0x25ff, 0};
     const auto load = [&](const char *path) {
         const std::string_view bytes = embedded(path);
         ImFontConfig config;

@@ -1,5 +1,7 @@
 #include "render/picture.h"
 
+#include "core/error.h"
+#include "gl/context_lost.h"
 #include "gl/framebuffer.h"
 #include "render/event_note.h"
 #include "render/keyhole_inset.h"
@@ -189,7 +191,10 @@ Image draw_picture(const PictureSpec &spec) {
     }
     overlay.draw();
     picture.bind();
-    return read_pixels(0, 0, spec.width, spec.height);
+    Image image = read_pixels(0, 0, spec.width, spec.height);
+    if (gl::context_is_lost())
+        throw Unavailable("the graphics driver has lost what the picture was drawn with; try again");
+    return image;
 }
 
 } // namespace penumbra

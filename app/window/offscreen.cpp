@@ -6,6 +6,8 @@
 #include <epoxy/gl.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace penumbra {
 
@@ -36,9 +38,19 @@ Offscreen::Offscreen() : parts_(std::make_unique<Parts>()) {
     require(parts_->display != EGL_NO_DISPLAY && eglInitialize(parts_->display, &major, &minor) == EGL_TRUE,
             "EGL does not start");
     require(eglBindAPI(EGL_OPENGL_API) == EGL_TRUE, "EGL has no desktop OpenGL");
-    const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,       4, EGL_CONTEXT_MINOR_VERSION,           1,
-                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    parts_->context = eglCreateContext(parts_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
+    std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION,       4, EGL_CONTEXT_MINOR_VERSION,           1,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    const auto make = [&](std::vector<EGLint> attributes) {
+        attributes.push_back(EGL_NONE);
+        return eglCreateContext(parts_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    };
+    if (major > 1 || minor >= 5) { // so that a lost context is told of, where the driver can
+        std::vector<EGLint> robust = wanted;
+        robust.insert(robust.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+        parts_->context = make(std::move(robust));
+    }
+    if (parts_->context == EGL_NO_CONTEXT)
+        parts_->context = make(std::move(wanted));
     require(parts_->context != EGL_NO_CONTEXT, "the driver has no OpenGL 4.1 core");
     require(eglMakeCurrent(parts_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, parts_->context) == EGL_TRUE,
             "the context cannot be made current");

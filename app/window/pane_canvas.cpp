@@ -41,6 +41,7 @@ struct PaneCanvas::Parts {
     std::optional<gl::Framebuffer> sampled, kept;
     Theme theme = Theme::dark;
     std::size_t n = 0;
+    PixelRect strip{};
 
     void resize(int width, int height) {
         if (kept && kept->width() == width && kept->height() == height)
@@ -50,12 +51,25 @@ struct PaneCanvas::Parts {
         kept.emplace(width, height, gl::Framebuffer::Colour::srgb8, 1);
         clear();
     }
+    /// Panes that have become smaller leave nothing of what they showed where the legend stands now.
+    void clear_strip(const PixelRect &now, int height) {
+        if (same(strip, now))
+            return;
+        strip = now;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(now.x, height - now.y - now.height, now.width, now.height);
+        clear_colour();
+        glDisable(GL_SCISSOR_TEST);
+    }
     void clear() {
+        clear_colour();
+        shown = {};
+    }
+    void clear_colour() {
         kept->bind();
         const float level = theme == Theme::dark ? 0.16f : 0.8f; // of the lines between panes
         glClearColor(level, level, level, 1);
         glClear(GL_COLOR_BUFFER_BIT);
-        shown = {};
     }
 };
 
@@ -71,6 +85,7 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
         p.n = arrangement.pane.size();
         p.clear();
     }
+    p.clear_strip(pixels(arrangement.legend, pixel_ratio), height);
     int drawn = 0;
     const auto strategies = state.shown();
     for (std::size_t i = 0; i < strategies.size(); ++i) {

@@ -1,8 +1,10 @@
 #include "window/take_picture.h"
 
 #include "capture.h"
+#include "files/picture_state.h"
 #include "files/pictures_folder.h"
 #include "files/state_text.h"
+#include "files/write_state.h"
 #include "render/picture.h"
 #include "verbs.h"
 
@@ -17,7 +19,7 @@ namespace {
 
 constexpr double slide_width = 1920; ///< pixels that a picture of the panes has at least
 
-Image panes_picture(const AppState &state, int width, int height) {
+PictureSpec panes_spec(const AppState &state, int width, int height) {
     PictureSpec spec;
     const double scale = std::max(1.0, slide_width / width);
     spec.width = static_cast<int>(std::lround(scale * width));
@@ -32,7 +34,7 @@ Image panes_picture(const AppState &state, int width, int height) {
         spec.keyhole = state.keyhole.seen;
     spec.look.spotlight.curve = state.pinned_curve.value_or(-1);
     spec.legend = !state.legend_hidden;
-    return draw_picture(spec);
+    return spec;
 }
 
 bool all_known(const AppState &state) {
@@ -47,10 +49,18 @@ void take_picture(AppState &state, PictureRequest request, int width, int height
         return;
     }
     try {
-        const Image image =
-            request == PictureRequest::panes ? panes_picture(state, width, height) : read_pixels(0, 0, width, height);
         const auto file = numbered_name(pictures_folder(), "penumbra");
-        write_png(file, image, saved_state_text(state));
+        SavedState saved = saved_state(state, file.parent_path());
+        Image image;
+        if (request == PictureRequest::panes) {
+            const PictureSpec spec = panes_spec(state, width, height);
+            image = draw_picture(spec);
+            saved.picture = saved_picture(spec);
+            saved.look.emphasise_fresh = spec.look.emphasise_fresh;
+        } else {
+            image = read_pixels(0, 0, width, height);
+        }
+        write_png(file, image, state_text(saved));
         state.last_picture = file.string();
         state.message = {"Saved " + file.string(), false};
     } catch (const std::exception &e) {

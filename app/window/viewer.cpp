@@ -2,17 +2,27 @@
 
 #include "action.h"
 #include "core/atomic_write.h"
+#include "core/error.h"
+#include "core/resident_memory.h"
 #include "files/state_text.h"
+#include "gl/context_lost.h"
 #include "keyhole_verbs.h"
 #include "panels/panels.h"
+#include "restore.h"
+#include "shelf_verbs.h"
 #include "verbs.h"
+#include "window/display_end.h"
+#include "window/end_signal.h"
+#include "window/save_state.h"
 #include "window/take_picture.h"
 #include "window/theme.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 namespace penumbra {
@@ -29,9 +39,11 @@ AppState first_state(const ViewerSetup &setup) {
     AppState state;
     state.options = setup.options;
     state.bundled_scenes = setup.bundled_scenes;
-    state.scene = setup.scene;
+    state.scene = setup.file.scene;
     state.inert = setup.inert;
     state.pane_sets[0].strategies[0] = setup.options.strategy;
+    if (setup.file.state)
+        restore(state, *setup.file.state);
     return state;
 }
 
@@ -47,12 +59,24 @@ Viewer::Viewer(ViewerSetup setup)
       window_("Penumbra", setup_.width, setup_.height,
               {[this](const std::string &key) { on_key(key); },
                [this](const std::string &file) { state_.open_request = file; }}),
-      worker_(setup_.read_scene, GlfwWindow::wake) {}
+      worker_(setup_.read_file, GlfwWindow::wake), checker_(GlfwWindow::wake) {}
 
-void Viewer::run() {
-    while (!state_.quit_request && !window_.should_close()) {
+ViewerEnd Viewer::run() {
+    const EndSignal signal(GlfwWindow::wake);
+    const DisplayEnd display_end([this] { return rescue(); });
+    try {
+        show_until_closed(signal);
+    } catch (const Unavailable &e) {
+        throw Unavailable(e.what() + ("; " + rescue()));
+    }
+    return signal.seen() == 0 ? ViewerEnd{} : ViewerEnd{signal.seen(), rescue()};
+}
+
+void Viewer::show_until_closed(const EndSignal &signal) {
+    while (!state_.quit_request && !window_.should_close() && signal.seen() == 0) {
         window_.wait(frames_owed_ > 0 ? 0 : wait_time());
         take_reports();
+        keep_memory_limit();
         serve_requests();
         if (window_.take_touched() || window_.has_input_waiting())
             frames_owed_ = frames_to_settle;
@@ -62,8 +86,25 @@ void Viewer::run() {
             continue;
         --frames_owed_;
         draw_frame();
+        if (has_lost_context())
+            throw Unavailable("the graphics driver has lost what the window draws with");
         serve_requests();
         write_state();
+    }
+}
+
+bool Viewer::has_lost_context() const {
+    const bool stepped = state_.position > 0 && state_.timeline(state_.active_strategy()).reached(state_.position);
+    return gl::context_is_lost() || (setup_.lose_context && stepped);
+}
+
+/// Keeps what was shown, and says where.
+std::string Viewer::rescue() const {
+    try {
+        const std::string file = rescue_state(state_).string();
+        return "what it showed is kept: penumbra view " + file;
+    } catch (const std::exception &e) {
+        return std::string("what it showed could not be kept: ") + e.what();
     }
 }
 
@@ -78,6 +119,14 @@ void Viewer::take_reports() {
         if (std::holds_alternative<Stopped>(report) && cancelled_at_)
             state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
         apply(state_, report);
+        if (std::holds_alternative<Stopped>(report) && std::exchange(over_memory_limit_, false))
+            state_.message = {fmt::format("The memory limit of {:g} MiB stopped the solver; this is the last complete state.",
+                                          *setup_.memory_limit),
+                              true};
+        frames_owed_ = frames_to_settle;
+    }
+    for (const CheckReport &report : checker_.take_reports()) {
+        apply(state_, report);
         frames_owed_ = frames_to_settle;
     }
 }
@@ -89,15 +138,34 @@ void Viewer::serve_requests() {
         worker_.open(std::move(*name));
         frames_owed_ = frames_to_settle;
     }
+    if (std::exchange(state_.state_request, false)) {
+        save_state(state_);
+        frames_owed_ = frames_to_settle;
+    }
     if (std::exchange(state_.cancel_request, false)) {
         cancelled_at_ = Clock::now();
         worker_.cancel();
         aimed_.reset();
     }
+    if (std::exchange(state_.shelf.stop_request, false))
+        checker_.stop();
+    if (std::exchange(state_.shelf.check_request, false))
+        checker_.start(hard_cases(), state_.options.threads);
     if (auto now = goal(state_); now && now != aimed_) {
         aimed_ = now;
         worker_.aim(std::move(*now));
     }
+}
+
+/// Looked at whenever the window wakes, which is every tenth of a second while the solver is busy. The start is shown in any
+/// case.
+void Viewer::keep_memory_limit() {
+    const bool shows_something = state_.snapshot(state_.active_strategy()) != nullptr;
+    if (!setup_.memory_limit || !state_.busy || state_.halted || !shows_something ||
+        resident_mib() <= *setup_.memory_limit)
+        return;
+    state_.cancel_request = state_.halted = over_memory_limit_ = true;
+    state_.playing = false;
 }
 
 /// How long nothing will change unless an event comes; negative: for ever.
@@ -144,6 +212,10 @@ void Viewer::set_first_view() {
 
 /// One range for all panes and all steps that were computed so far, so that stepping does not change the scale.
 void Viewer::update_range() {
+    if (state_.chosen_range) {
+        state_.look.range = state_.chosen_range;
+        return;
+    }
     std::vector<const Snapshot *> snapshots;
     for (const Strategy s : state_.shown())
         for (const auto &moment : state_.timeline(s).moments)
@@ -234,6 +306,7 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     if (!state_.panels_hidden) {
         draw_tool_bar(state_, arrangement.tool_bar);
         draw_side_panel(state_, arrangement.side);
+        draw_inspector(state_, arrangement.inspector);
         draw_transport(state_, arrangement.transport);
         draw_status_bar(state_, arrangement.status);
     }

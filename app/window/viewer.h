@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app_state.h"
+#include "check_worker.h"
 #include "render/labels.h"
 #include "solve_worker.h"
 #include "window/glfw_window.h"
@@ -17,26 +18,40 @@
 namespace penumbra {
 
 struct ViewerSetup {
-    std::shared_ptr<const Scene> scene;      ///< shown first
+    OpenedFile file;                         ///< shown first
     std::vector<std::string> bundled_scenes; ///< names offered
     Options options;
-    SolveWorker::ReadScene read_scene;
+    SolveWorker::ReadFile read_file;
+    std::optional<double> memory_limit;      ///< of resident memory, beyond which the solver is stopped [MiB]
     int width = 1280, height = 800;          ///< of the window [screen coordinates]
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
     bool inert = false;                      ///< for tests of the tests: actions do nothing
+    bool lose_context = false;               ///< for tests: after the first step, as if the driver had lost the context
+};
+
+/// How the window came to its end.
+struct ViewerEnd {
+    int signal = 0;    ///< that ended it; 0: it was closed
+    std::string words; ///< what was kept then, to follow on a semicolon
 };
 
 class Viewer {
 public:
     /// Throws Unavailable where there is no display or no GL 4.1.
     explicit Viewer(ViewerSetup setup);
-    /// Until the window is closed.
-    void run();
+    /// Until the window is closed or a signal comes. Throws Unavailable when nothing can be drawn any more; its line says
+    /// where the state was kept. When the display's connection ends, Xlib ends the program: then it is this line and
+    /// status 5 as well, from there.
+    ViewerEnd run();
 
 private:
+    void show_until_closed(const class EndSignal &signal);
+    bool has_lost_context() const;
+    std::string rescue() const;
     void on_key(const std::string &key);
     void take_reports();
     void serve_requests();
+    void keep_memory_limit();
     double wait_time();
     void set_first_view();
     void update_range();
@@ -54,8 +69,10 @@ private:
     GlfwWindow window_;
     PaneCanvas canvas_;
     SolveWorker worker_;
+    CheckWorker checker_;
     std::optional<Goal> aimed_;
     std::optional<Clock::time_point> cancelled_at_;
+    bool over_memory_limit_ = false; ///< that is why the worker was cancelled
     Fonts fonts_;
     double fonts_scale_ = 0;
     std::optional<Theme> theme_;

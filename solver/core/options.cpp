@@ -18,6 +18,13 @@ std::string_view name(Strategy strategy) { return namings[static_cast<std::size_
 
 std::string_view name(BasisFamily family) { return family == BasisFamily::planar ? "planar" : "parametric"; }
 
+std::optional<BasisFamily> basis_family_from_name(std::string_view text) {
+    for (const BasisFamily f : {BasisFamily::parametric, BasisFamily::planar})
+        if (name(f) == text)
+            return f;
+    return std::nullopt;
+}
+
 std::string_view title(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].title; }
 
 std::string_view name(CutChoice choice) { return choice == CutChoice::curves ? "curves" : "best"; }
@@ -26,6 +33,17 @@ std::optional<CutChoice> cut_choice_from_name(std::string_view text) {
     for (const CutChoice c : all_cut_choices)
         if (name(c) == text)
             return c;
+    return std::nullopt;
+}
+
+std::string_view name(Switch value) {
+    return value == Switch::automatic ? "auto" : value == Switch::on ? "on" : "off";
+}
+
+std::optional<Switch> switch_from_name(std::string_view text) {
+    for (const Switch s : all_switches)
+        if (name(s) == text)
+            return s;
     return std::nullopt;
 }
 

@@ -29,6 +29,7 @@ constexpr bool is_constant(Strategy s) {
 /// The paper's products of Legendre polynomials of a quad's parameters, or polynomials of the plane on convex polygons.
 enum class BasisFamily { parametric, planar };
 std::string_view name(BasisFamily family);
+std::optional<BasisFamily> basis_family_from_name(std::string_view name);
 
 /// Where strategies that cut may cut: along discontinuity curves alone, or where no curve is worth it along the straight
 /// line that lowers the error most, too (the paper's outlook, section 6; Campbell & Fussell 1990).
@@ -39,6 +40,18 @@ inline constexpr CutChoice all_cut_choices[] = {CutChoice::curves, CutChoice::be
 /// `curves`, `best`; the public names.
 std::string_view name(CutChoice choice);
 std::optional<CutChoice> cut_choice_from_name(std::string_view name);
+
+/// At which the paper's figures come out: about its counts of patches for all four strategies, and its three for (d).
+inline constexpr double paper_threshold = 0.03;
+
+/// What is decided from the scene unless somebody decides.
+enum class Switch { automatic, on, off };
+
+inline constexpr Switch all_switches[] = {Switch::automatic, Switch::on, Switch::off};
+
+/// `auto`, `on`, `off`; the public names.
+std::string_view name(Switch value);
+std::optional<Switch> switch_from_name(std::string_view name);
 
 struct Options {
     Strategy strategy = Strategy::discontinuity_wavelet;
@@ -54,9 +67,11 @@ struct Options {
     CutChoice cut = CutChoice::curves;
     /// A curve is cut along if that lowers the fit's root mean square error on the node, taken as the root of what the
     /// squares lose, by more than this share of the misfit that the oracle lets pass. 0: every curve is a candidate.
-    double least_gain = 0.1;
+    double least_gain = 0.07;
     /// Strategies that cut trace the curves of a reflector, too, when a node fails because of its light.
     bool reflector_curves = true;
+    /// Each step goes on with a constant on each surface, solved for directly (iteration/coarse_correction.h).
+    Switch coarse_correction = Switch::automatic;
     /// 0: all cores.
     int threads = 0;
 

@@ -6,9 +6,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <limits>
 #include <memory>
+#include <sys/stat.h>
 
 namespace penumbra {
 
@@ -30,29 +33,61 @@ std::string_view without_comment(std::string_view line) {
 
 } // namespace
 
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE *)>;
+
+/// From where the file stands to its end.
+std::string read_rest(std::FILE *in, const std::filesystem::path &file, std::size_t limit) {
+    std::string text;
+    char buffer[1 << 16];
+    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, in)) {
+        if (text.size() + n > limit)
+            throw BadInput(file.string() + ": is longer than the limit of " + std::to_string(limit >> 20) +
+                           " MiB; split or simplify it");
+        text.append(buffer, n);
+    }
+    if (std::ferror(in))
+        throw BadInput(file.string() + ": cannot be read: " + std::strerror(errno));
+    return text;
+}
+
+/// Whether it may have been written to since `before`, while `text` was read. Times of writing have the resolution of
+/// the system's clock tick: a file as young as that is read again.
+bool has_changed(std::FILE *in, const struct stat &before, const std::string &text, const std::filesystem::path &file,
+                 std::size_t limit) {
+    struct stat now {};
+    if (::fstat(::fileno(in), &now) != 0 || now.st_size != before.st_size ||
+        now.st_mtim.tv_sec != before.st_mtim.tv_sec || now.st_mtim.tv_nsec != before.st_mtim.tv_nsec)
+        return true;
+    if (now.st_size > 0 && static_cast<std::size_t>(now.st_size) != text.size()) // those of /proc have size 0
+        return true;
+    timespec clock{};
+    ::clock_gettime(CLOCK_REALTIME, &clock);
+    if (std::llabs(static_cast<long long>(clock.tv_sec) - now.st_mtim.tv_sec) > 1)
+        return false;
+    std::rewind(in);
+    return read_rest(in, file, limit) != text;
+}
+
+} // namespace
+
 std::string read_bytes(const std::filesystem::path &file, std::size_t limit) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         throw BadInput(file.string() + ": is a folder; give a file");
     errno = 0;
-    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> in(std::fopen(file.c_str(), "rb"), std::fclose);
+    const File in(std::fopen(file.c_str(), "rb"), std::fclose);
     if (!in)
         throw BadInput(file.string() + ": cannot be opened: " + std::strerror(errno));
-    const auto too_long = [&] {
+    struct stat before {};
+    const bool is_regular = ::fstat(::fileno(in.get()), &before) == 0 && S_ISREG(before.st_mode);
+    if (is_regular && static_cast<std::size_t>(before.st_size) > limit)
         throw BadInput(file.string() + ": is longer than the limit of " + std::to_string(limit >> 20) +
                        " MiB; split or simplify it");
-    };
-    if (std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) > limit)
-        too_long();
-    std::string text;
-    char buffer[1 << 16];
-    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, in.get())) {
-        if (text.size() + n > limit)
-            too_long();
-        text.append(buffer, n);
-    }
-    if (std::ferror(in.get()))
-        throw BadInput(file.string() + ": cannot be read: " + std::strerror(errno));
+    std::string text = read_rest(in.get(), file, limit);
+    if (is_regular && has_changed(in.get(), before, text, file, limit))
+        throw BadInput(file.string() + ": was written to while it was read; open it again when that is over");
     return text;
 }
 

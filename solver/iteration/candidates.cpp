@@ -1,6 +1,7 @@
 #include "iteration/candidates.h"
 
 #include "discontinuity/tolerance.h"
+#include "hierarchy/planar_split.h"
 #include "iteration/best_cut.h"
 #include "iteration/sampled_field.h"
 
@@ -47,6 +48,19 @@ std::vector<CurveCut> curve_cuts(const CurveIndex &curves, const Element &node,
     return cuts;
 }
 
+/// What a uniform split is judged by: the four quarters. A bisection of the planar family is judged by the quarters that
+/// its halves would become: for the price of a cut it halves but one direction, and where the next one has to halve the
+/// other, a score of its own lets it win against curves again and again.
+std::vector<ElementBasis> quarters(const Element &node) {
+    if (!node.basis.planar())
+        return uniform_children(node);
+    std::vector<ElementBasis> out;
+    for (const PlanarPiece &half : bisected(node.basis.planar()->domain, node.sides))
+        for (const PlanarPiece &quarter : bisected(half.domain, half.sides))
+            out.emplace_back(node.basis.order(), quarter.domain);
+    return out;
+}
+
 /// Ends that the cut moved onto corners, and other curves that run along it: they will be sides of the children.
 int n_snapped(const std::vector<CurveCut> &cuts, const CurveCut &made) {
     const HalfPlane line = made.line();
@@ -89,7 +103,7 @@ std::optional<Split> best_split(const Setting &setting, const Transport &transpo
 
     std::optional<Split> best;
     if (may_subdivide) {
-        const auto children = uniform_children(node);
+        const auto children = quarters(node);
         best = Split{{}, {}, gain(children) / added(children)};
     }
     const CurveCut *made = nullptr;

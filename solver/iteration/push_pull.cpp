@@ -1,4 +1,5 @@
 #include "core/percent.h"
+#include "iteration/coarse_correction.h"
 #include "iteration/state.h"
 
 #include <algorithm>
@@ -39,17 +40,19 @@ void push_pull(const Setting &setting, State &state) {
     const Scene &scene = *setting.scene;
     const Coefficients before = state.radiosity;
     push_pull(state.forest, scene, state.irradiance, state.radiosity);
+    const bool corrects = corrects_coarsely(setting);
+    if (corrects)
+        correct_coarsely(setting, state, before);
     const Extremes most = extremes(state, scene, before);
     state.peak = most.reflected;
     Counters &c = state.counters;
     c.change = most.reflected > 0 ? most.change / most.reflected : 0;
-    double rho = 0;
-    for (int s = 0; s < scene.n_surfaces(); ++s)
-        rho = std::max(rho, scene.reflectance(SurfaceId(s)).maxCoeff());
-    c.converged = !c.refined && c.change <= 0.1 * setting.options.threshold * (1 - rho);
+    c.converged = !c.refined && c.change <= 0.1 * setting.options.threshold * (1 - setting.largest_reflectance());
     state.sentence = c.converged ? "converged: nothing refined, and radiosity no longer changes"
                                  : "pushed irradiance to " + std::to_string(c.patches) +
                                        " patches and pulled radiosity up; it changed by " + percent(c.change);
+    if (corrects && !c.converged)
+        state.sentence += "; a constant on each surface took the bounces to come ahead";
 }
 
 } // namespace penumbra

@@ -41,8 +41,8 @@ public:
     Refinement(const Setting &setting, State &state, const Cancel *cancel)
         : setting_(setting), state_(state), scene_(*setting.scene),
           cancel_(cancel),
-          transport_{*setting.scene, *setting.blockers, std::clamp(0.1 * setting.options.threshold, 1e-7, 1e-2), cancel},
-          allowed_(setting.options.threshold * state.peak), detail_(dropped_detail(state.forest, state.radiosity)) {
+          transport_(setting.transport(cancel)),
+          allowed_(setting.options.threshold / (1 + setting.options.threshold) * state.peak), detail_(dropped_detail(state.forest, state.radiosity)) {
         brightness_.resize(scene_.surfaces.size());
         for (std::size_t s = 0; s < brightness_.size(); ++s)
             brightness_[s] = largest_radiosity(SurfaceId(s));
@@ -311,7 +311,7 @@ private:
     const Scene &scene_;
     const Cancel *cancel_;
     Transport transport_;
-    double allowed_; ///< misfit that passes [W/m2]
+    double allowed_; ///< misfit that passes [W/m2]: the present peak may itself be too large by the threshold
     std::vector<double> detail_;
     std::vector<Rgb> brightness_;
     std::vector<std::vector<Judgement>> judgements_; ///< as state.interactions

@@ -26,6 +26,12 @@ struct SnapshotSurface {
     std::string name;
 };
 
+/// Which piece of which split an element is.
+struct SnapshotPlace {
+    std::int32_t split = -1;            ///< of snapshot.splits; -1: of none, it is a root
+    std::int32_t piece = 0;
+};
+
 /// A leaf: a convex polygon of its surface's plane, on which B(u,v) = sum over i, j of coefficients[first + i*order + j]
 /// L_i(u) L_j(v), with L_k the Legendre polynomials orthonormal on [0,1] and (u,v) the parameters of the bilinear quad
 /// x(u,v) = (1-u)(1-v) q0 + u(1-v) q1 + uv q2 + (1-u)v q3. In the parametric basis the quad is the polygon (two of its
@@ -40,6 +46,21 @@ struct SnapshotPatch {
     float depth = 0;                    ///< halvings of both directions
     bool fresh = false;                 ///< made in this iteration
     bool at_limit = false;              ///< failed the oracle at the depth limit
+    SnapshotPlace place{};
+};
+
+struct SnapshotPiece {
+    std::vector<Vec2> corners;          ///< counter-clockwise
+    std::shared_ptr<const TwoScale> filters; ///< between the element that was split and this piece of it
+};
+
+/// An element that was split. Each of its pieces is a patch, or was split in its turn.
+struct SnapshotSplit {
+    std::int32_t surface = 0;
+    SplitKind kind = SplitKind::uniform;
+    std::vector<Vec2> corners;          ///< of the element, counter-clockwise
+    std::vector<SnapshotPiece> pieces;
+    SnapshotPlace place{};              ///< of the element
 };
 
 /// An edge that lines of sight touch; a corner has both ends in one place.
@@ -71,6 +92,7 @@ struct Snapshot {
     Counters counters;
     std::vector<SnapshotSurface> surfaces;
     std::vector<SnapshotPatch> patches; ///< of all surfaces, dark and emitting ones too
+    std::vector<SnapshotSplit> splits;  ///< of all surfaces, an element's before its pieces'
     std::vector<Rgb> coefficients;
     std::shared_ptr<const std::vector<SnapshotCurve>> curves; ///< of all emitters, then of reflectors in the order in which they were needed
     std::vector<SnapshotLink> links;

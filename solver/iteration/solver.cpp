@@ -12,6 +12,19 @@
 
 namespace penumbra {
 
+double Setting::largest_reflectance() const {
+    double most = 0;
+    for (int s = 0; s < scene->n_surfaces(); ++s)
+        most = std::max(most, scene->reflectance(SurfaceId(s)).maxCoeff());
+    return most;
+}
+
+Transport Setting::transport(const Cancel *cancel) const {
+    const double accuracy = std::clamp(0.1 * options.threshold, 1e-7, 1e-2);
+    const double share = std::min(1.0, 10 * (1 - largest_reflectance()));
+    return {*scene, *blockers, accuracy, std::max(accuracy * share, 1e-9), cancel};
+}
+
 struct Solver::Parts {
     Setting setting;
     std::shared_ptr<const State> state;

@@ -20,6 +20,11 @@ struct Setting {
     std::unique_ptr<const Blockers> blockers;
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
+    double largest_reflectance() const; ///< of all surfaces and channels
+    /// Links are made to a tenth of the threshold. What they miss is reflected again and again, 1 / (1 - rho) times in all:
+    /// beyond a reflectance of 0.9 what a constant source brings gets the digits that this takes. Details of radiosity are
+    /// of the size of the first bounces; what they bring is not worth it.
+    Transport transport(const Cancel *cancel) const;
 };
 
 /// Immutable once a phase is complete. Interactions are shared with the states before and after.

@@ -29,16 +29,40 @@ constexpr double polyline_accuracy = 1e-6;
 
 double receiver_size(const Scene &scene, SurfaceId receiver) { return 2 * radius(scene.surface(receiver).outline); }
 
+std::vector<Vec2> corners_of(const Element &e, double size) {
+    std::vector<Vec2> corners;
+    for (const Vec2 &p : e.basis.outline())
+        corners.push_back(size * p);
+    return corners;
+}
+
 void add_shape(const Element &e, double size, SnapshotPatch &patch) {
     const BilinearQuad quad = e.basis.product_quad();
     for (std::size_t c = 0; c < 4; ++c)
         patch.quad[c] = size * quad.corners[c];
-    for (const Vec2 &p : e.basis.outline())
-        patch.corners.push_back(size * p);
+    patch.corners = corners_of(e, size);
     // A quad that is a triangle has a side without length.
     for (std::size_t k = 0; k < e.sides.size(); ++k)
         if (e.basis.planar() || quad.corners[k] != quad.corners[(k + 1) % 4])
             patch.sides.push_back(e.sides[k]);
+}
+
+/// Parents stand before their children; the place of an element is that of the split its parent has made.
+std::vector<SnapshotPlace> add_splits(const Forest &forest, double size, Snapshot &out) {
+    std::vector<SnapshotPlace> places(forest.elements.size());
+    for (std::size_t i = 0; i < forest.elements.size(); ++i) {
+        const Element &e = forest.elements[i];
+        if (e.leaf())
+            continue;
+        SnapshotSplit split{e.surface.index, e.split, corners_of(e, size), {}, places[i]};
+        for (int c = 0; c < e.n_children; ++c) {
+            const auto child = static_cast<std::size_t>(e.first_child.index + c);
+            split.pieces.push_back({corners_of(forest.elements[child], size), forest.elements[child].filters});
+            places[child] = {static_cast<std::int32_t>(out.splits.size()), c};
+        }
+        out.splits.push_back(std::move(split));
+    }
+    return places;
 }
 
 int link_kind(PairKind kind) { return kind == PairKind::clear ? 0 : kind == PairKind::near ? 1 : 2; }
@@ -62,6 +86,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
         const Element &element = state.forest[e];
         return scene.own.to_own(scene.surface(element.surface).frame.to_space(element.basis.centre()));
     };
+    const std::vector<SnapshotPlace> places = add_splits(state.forest, scene.own.size, *out);
     for (std::size_t i = 0; i < state.forest.elements.size(); ++i) {
         const Element &e = state.forest.elements[i];
         for (const auto &interaction : state.interactions[i])
@@ -77,6 +102,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
         patch.depth = static_cast<float>(e.depth());
         patch.fresh = e.born > 0 && e.born == state.counters.iteration;
         patch.at_limit = e.at_limit;
+        patch.place = places[i];
         const Eigen::MatrixX3d products =
             e.basis.product_coefficients(state.radiosity.middleRows(e.first, e.basis.n_functions()));
         for (const auto &row : products.rowwise())

@@ -22,18 +22,26 @@ bool is_gltf(const std::filesystem::path &file) {
 
 } // namespace
 
+std::optional<Scene> open_bundled_scene(const std::string &name, const std::optional<Vec3> &up) {
+    const auto found = std::ranges::find(bundled_scenes(), name, &BundledScene::name);
+    if (found == bundled_scenes().end())
+        return std::nullopt;
+    Scene scene = read_obj_text(
+        name + ".obj", found->obj, [&](const std::string &) { return std::string(found->mtl); },
+        up.value_or(Vec3::UnitZ()));
+    scene.file.clear();
+    return scene;
+}
+
 Scene open_scene(const std::string &name, const std::optional<Vec3> &up) {
     std::error_code none;
     if (std::filesystem::exists(name, none))
         return is_gltf(name) ? read_gltf(name, up.value_or(Vec3::UnitY())) : read_obj(name, up.value_or(Vec3::UnitZ()));
+    if (auto scene = open_bundled_scene(name, up))
+        return *std::move(scene);
     std::string known;
-    for (const BundledScene &scene : bundled_scenes()) {
-        if (scene.name == name)
-            return read_obj_text(
-                name + ".obj", scene.obj, [&](const std::string &) { return std::string(scene.mtl); },
-                up.value_or(Vec3::UnitZ()));
+    for (const BundledScene &scene : bundled_scenes())
         known += (known.empty() ? "" : ", ") + std::string(scene.name);
-    }
     throw BadInput(name + ": there is no such file; the bundled scenes are " + known);
 }
 

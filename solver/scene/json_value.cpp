@@ -98,6 +98,11 @@ std::optional<JsonValue> JsonValue::find(const char *key) const {
     return JsonValue(*found, *file_, path_.empty() ? key : path_ + "." + key);
 }
 
+std::optional<JsonValue> JsonValue::known(const char *key) const {
+    auto found = find(key);
+    return found && found->json_->is_null() ? std::nullopt : found;
+}
+
 JsonValue JsonValue::operator[](const char *key) const {
     auto found = find(key);
     if (!found)

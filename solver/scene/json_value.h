@@ -29,6 +29,8 @@ public:
     JsonValue operator[](const char *key) const;
     /// The array of that name; an empty one when it is absent.
     JsonValue list(const char *key) const;
+    /// The same; nothing also when it is null.
+    std::optional<JsonValue> known(const char *key) const;
     std::size_t size() const;          ///< of an array
     JsonValue at(std::size_t i) const; ///< of an array; i < size()
     double number() const;

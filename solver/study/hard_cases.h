@@ -18,6 +18,9 @@ struct HardCase {
 /// All of them, in the order of the shelf. tests/stability/hard_cases_test.cpp runs each in both bases.
 std::vector<HardCase> hard_cases();
 
+/// What a case is about, to be looked at: the first scene that it solves, under the case's name. Solves nothing.
+Scene scene_of(const HardCase &hard_case);
+
 struct CaseResult {
     std::string name, what;
     BasisFamily basis = BasisFamily::parametric;
@@ -30,7 +33,7 @@ struct CaseResult {
 /// Whether a check may pass: there are results, and each holds.
 bool all_hold(const std::vector<CaseResult> &results);
 
-/// Solves with the options that `solve` has unless told otherwise. Throws Cancelled.
-CaseResult examine(const HardCase &hard_case, BasisFamily basis, const Cancel *cancel = nullptr);
+/// Solves with the options that `solve` has unless told otherwise; `threads`: as Options has them. Throws Cancelled.
+CaseResult examine(const HardCase &hard_case, BasisFamily basis, const Cancel *cancel = nullptr, int threads = 0);
 
 } // namespace penumbra

@@ -78,44 +78,6 @@ std::vector<Measurement> moved(double angle, const Vec3 &shift, const TrialSetti
     return compare_with_lambert(faces, grid(shift, turn * x, turn * y), setting);
 }
 
-/// B(x) against B(1 - x) where all is symmetric in x = 1/2.
-std::vector<Measurement> mirror(const TrialSetting &setting) {
-    const Trial trial = solve({parallelogram(o, x, y, 0.5), parallelogram(Vec3(0.3, 0.2, 1), 0.3 * y, 0.4 * x, 0, 1),
-                               parallelogram(Vec3(0.35, 0.3, 0.25), 0.3 * x, Vec3(0, 0.4, 0.1), 0)},
-                              setting);
-    const auto mirrored = [&](const Vec3 &p) { return radiosity(trial, Vec3(1 - p.x(), p.y(), p.z()), z); };
-    std::vector<Measurement> out = soundness(trial);
-    out.push_back(
-        {"difference from the mirrored", largest_error(trial, grid(o, x, y), z, mirrored), setting.options.threshold});
-    return out;
-}
-
-/// A floor, a lamp and a blocker between; a power of two scales without rounding.
-Faces shaded_floor(double scale) {
-    Faces faces{parallelogram(o, x, y, 0.5), parallelogram(Vec3(0.1, 0.2, 1), 0.3 * y, 0.3 * x, 0, 1),
-                parallelogram(Vec3(0.4, 0.3, 0.25), 0.25 * x, Vec3(0.1, 0.4, 0.1), 0.5)};
-    for (Face &face : faces)
-        for (Vec3 &corner : face.corners)
-            corner *= scale;
-    return faces;
-}
-
-HardCase scaled(const std::string &name, int exponent) {
-    return {name,
-            "A scene that is 2^" + std::to_string(exponent) + " times as large has the same radiosity, to the last bit",
-            [exponent](const TrialSetting &setting) {
-                const Trial plain = solve(shaded_floor(1), setting),
-                            other = solve(shaded_floor(std::ldexp(1.0, exponent)), setting);
-                const auto &a = plain.state->radiosity, &b = other.state->radiosity;
-                auto out = soundness(other);
-                out.push_back(
-                    {"largest difference of a coefficient",
-                     a.rows() == b.rows() ? (a - b).cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity(),
-                     0});
-                return out;
-            }};
-}
-
 } // namespace
 
 std::vector<HardCase> shape_cases() {
@@ -135,9 +97,6 @@ std::vector<HardCase> shape_cases() {
          [](const TrialSetting &setting) { return moved(0.7, o, setting); }},
         {"far-off", "A scene a hundred thousand sizes from the origin has Lambert's radiosity",
          [](const TrialSetting &setting) { return moved(0.7, 1e5 * Vec3(1, -1, 1), setting); }},
-        {"mirror", "A scene that is its own mirror image has radiosity that is its own mirror image", mirror},
-        scaled("scaled-up", 20),
-        scaled("scaled-down", -20),
     };
 }
 

@@ -14,18 +14,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Scene scene_of(const Faces &faces) {
-    RawScene raw;
-    raw.name = "trial";
-    for (const Face &face : faces) {
-        const int number = static_cast<int>(raw.faces.size());
-        const std::string name = std::to_string(number);
-        raw.materials.push_back({"material " + name, Rgb::Constant(face.reflectance), Rgb::Constant(face.exitance)});
-        raw.faces.push_back({"face " + name, "trial:" + name, number, false, face.corners});
-    }
-    return build_scene(std::move(raw));
-}
-
 double least_radiosity(const Trial &trial) {
     double least = 0;
     for (const Element &e : trial.state->forest.elements) {
@@ -45,6 +33,18 @@ double least_radiosity(const Trial &trial) {
 
 } // namespace
 
+Scene build_scene(const Faces &faces, const std::string &called) {
+    RawScene raw;
+    raw.name = called;
+    for (const Face &face : faces) {
+        const int number = static_cast<int>(raw.faces.size());
+        const std::string name = std::to_string(number);
+        raw.materials.push_back({"material " + name, Rgb::Constant(face.reflectance), Rgb::Constant(face.exitance)});
+        raw.faces.push_back({"face " + name, called + ":" + name, number, false, face.corners});
+    }
+    return build_scene(std::move(raw));
+}
+
 Face parallelogram(const Vec3 &corner, const Vec3 &a, const Vec3 &b, double reflectance, double exitance) {
     return {{corner, corner + a, corner + a + b, corner + b}, reflectance, exitance};
 }
@@ -58,7 +58,9 @@ Faces room(const Vec3 &far, double reflectance, double exitance) {
 }
 
 Trial solve(const Faces &faces, const TrialSetting &setting, int more) {
-    const auto scene = std::make_shared<const Scene>(scene_of(faces));
+    if (setting.on_solve)
+        setting.on_solve(faces);
+    const auto scene = std::make_shared<const Scene>(build_scene(faces, "trial"));
     Solver solver(scene, setting.options, setting.cancel);
     solver.run(setting.cancel);
     for (int k = 0; k < more; ++k)

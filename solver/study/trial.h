@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace penumbra {
@@ -27,7 +28,11 @@ Faces room(const Vec3 &far, double reflectance, double exitance = 0);
 struct TrialSetting {
     Options options;
     const Cancel *cancel = nullptr;
+    std::function<void(const Faces &)> on_solve{}; ///< is shown what solve() is about to solve; may throw
 };
+
+/// Checked as a file would be; surface i is face i.
+Scene build_scene(const Faces &faces, const std::string &name);
 
 struct Trial {
     TrialSetting setting;

@@ -152,26 +152,41 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     const Eigen::Index n_columns = transfer.n_columns();
     const int order = p.basis.order();
     const int n_rows = weak ? 1 : p.basis.n_functions();
-    // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a fit, more.
-    const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(transport.accuracy))) - 3);
     const int finer = fine && out->kind == PairKind::partly_hidden ? 2 : 1;
-    int n_points = weak ? 2 : finer * (order + 1) + digits, n_levels = near && !weak ? digits : 0;
-    if (digits > 0 && !weak && out->blockers.empty() && distance > 0) {
-        // The transfer's poles are as far from p as the source: Gauss converges as it does in source_moments.
-        const double rate = 2 * std::asinh(distance / size);
-        if (const double enough = std::ceil(std::log(1 / transport.accuracy) / rate + 0.5 * order + 1); enough <= 32) {
-            n_points = std::max(n_points, static_cast<int>(enough));
-            n_levels = 0;
+    const auto project = [&](PointTransfer &from_nodes, double accuracy) {
+        // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a
+        // fit, more.
+        const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(accuracy))) - 3);
+        int n_points = weak ? 2 : finer * (order + 1) + digits, n_levels = near && !weak ? digits : 0;
+        if (digits > 0 && !weak && out->blockers.empty() && distance > 0) {
+            // The transfer's poles are as far from p as the source: Gauss converges as it does in source_moments.
+            const double rate = 2 * std::asinh(distance / size);
+            if (const double enough = std::ceil(std::log(1 / accuracy) / rate + 0.5 * order + 1); enough <= 32) {
+                n_points = std::max(n_points, static_cast<int>(enough));
+                n_levels = 0;
+            }
         }
+        Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, from_nodes.n_columns());
+        Eigen::RowVectorXd row(from_nodes.n_columns());
+        for (const QuadraturePoint &q : projection_points(p.basis, n_points, n_levels, touching_corners(p, to, from))) {
+            from_nodes.at(q.position, std::span(row.data(), static_cast<std::size_t>(row.size())));
+            kernel += q.inner * p.basis.evaluate(q).head(n_rows) * row;
+        }
+        return kernel;
+    };
+    Eigen::MatrixXd kernel = project(transfer, transport.accuracy);
+    if (!weak && transport.constant_accuracy < transport.accuracy) {
+        std::vector<SourceNode> constants = transfer.nodes();
+        for (SourceNode &node : constants)
+            node.n_columns = 1;
+        PointTransfer constant(transport, p, from, out->blockers, std::move(constants), work);
+        const Eigen::MatrixXd columns = project(constant, transport.constant_accuracy);
+        Eigen::Index column = 0;
+        for (std::size_t k = 0; k < transfer.nodes().size(); column += transfer.nodes()[k++].n_columns)
+            kernel.col(column) = columns.col(static_cast<Eigen::Index>(k));
     }
-
-    Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, n_columns);
     Eigen::RowVectorXd row(n_columns);
     const std::span<double> row_values(row.data(), static_cast<std::size_t>(n_columns));
-    for (const QuadraturePoint &q : projection_points(p.basis, n_points, n_levels, touching_corners(p, to, from))) {
-        transfer.at(q.position, row_values);
-        kernel += q.inner * p.basis.evaluate(q).head(n_rows) * row;
-    }
     Eigen::MatrixXd misfit(0, n_columns);
     if (!weak) {
         std::vector<Vec2> tests = test_points(p.basis);

@@ -53,8 +53,10 @@ struct Transport {
     /// a link that passes the oracle is right to half of what passes, one that fails may be wrong by 10 % of K_00 and
     /// more. For an accuracy of 1e-4 or less there are points to match: whatever the fit misses, all coefficients are then
     /// within 20 accuracy K_00 of a pair apart by a fifth of its size, and within 100 of one with an edge in common at 60
-    /// degrees or more (at less, the source's other edges hang low over p, and nothing is graded towards those). tests/agreement/links_test.cpp.
+    /// degrees or more (at less, the source's other edges hang low over p, and nothing is graded towards
+    /// those). tests/agreement/links_test.cpp.
     double accuracy = 1e-4;
+    double constant_accuracy = 1; ///< of what the source's constant function brings, where less than `accuracy`
     const Cancel *cancel = nullptr;
 };
 

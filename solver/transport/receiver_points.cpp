@@ -71,12 +71,11 @@ std::vector<QuadraturePoint> projection_points(const ElementBasis &basis, int n,
 
 std::vector<Vec2> test_points(const ElementBasis &basis) {
     std::vector<Vec2> points;
-    constexpr std::array<double, 5> at{0.02, 0.26, 0.5, 0.74, 0.98};
+    constexpr std::array<double, 7> at{0.002, 0.08, 0.26, 0.5, 0.74, 0.92, 0.998};
     for (const BilinearQuad &tile : basis.tiles())
         for (std::size_t i = 0; i < at.size(); ++i)
-            for (std::size_t j = 0; j < at.size(); ++j)
-                if ((i + j) % 2 == 0)
-                    points.push_back(tile.at(at[i], at[j]));
+            for (std::size_t j = i % 2; j < at.size(); j += 2)
+                points.push_back(tile.at(at[i], at[j]));
     return points;
 }
 

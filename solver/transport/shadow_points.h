@@ -11,7 +11,7 @@ namespace penumbra {
 
 /// Where shadows fall on p: the centres of the blockers as seen from the source's centre (a shadow smaller than the
 /// element), and the middles of their edges as seen from the source's corners (where penumbras begin and end); at most
-/// 24, evenly thinned. Drawn in by 2 % as test points are: on a border that lies in the source's plane (a box that stands
+/// 24, evenly thinned. Drawn in by 2 %: on a border that lies in the source's plane (a box that stands
 /// on the source) T has no value.
 std::vector<Vec2> shadow_points(const Scene &scene, const Blockers &blockers, const Element &p, const Surface &source,
                                 std::span<const PairBlocker> pair);

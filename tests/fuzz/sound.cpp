@@ -9,8 +9,6 @@
 
 namespace penumbra::fuzz {
 
-namespace {
-
 void expect(bool holds, const char *what, const std::string &where) {
     if (holds)
         return;
@@ -23,6 +21,8 @@ void expect_one_line(const std::string &message) {
     expect(std::ranges::none_of(message, [](unsigned char c) { return c < 0x20 || c == 0x7f; }),
            "a message has control characters", message);
 }
+
+namespace {
 
 void expect_sound_surface(const Surface &surface, const Scene &scene) {
     expect(surface.corners.size() >= 3 && surface.outline.size() == surface.corners.size(), "corners", surface.name);
@@ -44,8 +44,16 @@ void expect_sound_surface(const Surface &surface, const Scene &scene) {
 
 } // namespace
 
-void expect_sound(const std::function<Scene()> &read) {
+void expect_refusal_in_one_line(const std::function<void()> &read) {
     try {
+        read();
+    } catch (const BadInput &e) {
+        expect_one_line(e.what());
+    }
+}
+
+void expect_sound(const std::function<Scene()> &read) {
+    expect_refusal_in_one_line([&] {
         const Scene scene = read();
         expect(!scene.surfaces.empty(), "no surface", scene.name);
         expect(std::isfinite(scene.own.size) && scene.own.size > 0 && scene.own.centre.allFinite(), "size", scene.name);
@@ -53,9 +61,7 @@ void expect_sound(const std::function<Scene()> &read) {
             expect_sound_surface(surface, scene);
         for (const std::string &note : scene.notes)
             expect_one_line(note);
-    } catch (const BadInput &e) {
-        expect_one_line(e.what());
-    }
+    });
 }
 
 } // namespace penumbra::fuzz

@@ -135,7 +135,7 @@ TEST_F(PictureCommands, PanesChosenStandSideBySide) {
 /// The price of cutting where it does not pay, as the picture in the README tells it.
 TEST_F(PictureCommands, SoftShadowsAreNotWorthCutting) {
     const auto solve = [&](const std::string &strategy) {
-        EXPECT_EQ(run("solve soft-shadow --threshold 0.001 -o " + strategy + ".json --strategy " + strategy), 0);
+        EXPECT_EQ(run("solve soft-shadow --threshold 0.002 -o " + strategy + ".json --strategy " + strategy), 0);
         return nlohmann::json::parse(text(folder / (strategy + ".json")))["final"];
     };
     const nlohmann::json uniform = solve("uniform-wavelet"), cut = solve("discontinuity-wavelet");

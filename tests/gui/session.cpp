@@ -160,6 +160,10 @@ Point Session::middle(const std::string &name) const {
 
 void Session::click(const std::string &name) { click(middle(name)); }
 
+std::string Session::log() const { return text_of(root_ / "log"); }
+
+void Session::end_display() { screen_.reset(); }
+
 Screenshot Session::shot() {
     settled();
     return screen_->shot();

@@ -55,6 +55,8 @@ public:
     Screenshot shot();
 
     Process &program() { return *program_; }
+    std::string log() const; ///< what the program has said so far
+    void end_display();      ///< the window's server goes away; nothing more can be pressed
     const std::filesystem::path &home() const { return home_; }
     const std::filesystem::path &folder() const { return work_; } ///< that the program was started in
 

@@ -63,18 +63,18 @@ void expect_the_papers_counts(const Scene &changed_scene, double threshold) {
     EXPECT_LE(errors[3], errors[0]) << "three patches are no less accurate than (a)";
 }
 
-TEST(PaperCounts, AsPrintedWithinAFactorOfTwo) { expect_the_papers_counts(open_scene("figure-4"), 0.02); }
+TEST(PaperCounts, AsPrintedWithinAFactorOfTwo) { expect_the_papers_counts(open_scene("figure-4"), paper_threshold); }
 
 TEST(PaperCounts, HoldWhenTheThresholdChangesByOnePercent) {
     for (const double factor : {0.99, 1.01})
-        expect_the_papers_counts(open_scene("figure-4"), 0.02 * factor);
+        expect_the_papers_counts(open_scene("figure-4"), paper_threshold * factor);
 }
 
 TEST(PaperCounts, HoldWhenTheSceneChangesByOnePercent) {
     for (const double f : {0.99, 1.01})
         for (const auto &[lamp, blocker, edge] : {std::array{f, 1.0, 1.0}, {1.0, f, 1.0}, {1.0, 1.0, f}}) {
             SCOPED_TRACE(testing::Message() << lamp << ' ' << blocker << ' ' << edge);
-            expect_the_papers_counts(changed(lamp, blocker, edge), 0.02);
+            expect_the_papers_counts(changed(lamp, blocker, edge), paper_threshold);
         }
 }
 

@@ -1,0 +1,258 @@
+#include "files/read_state.h"
+
+#include "core/error.h"
+#include "core/read_text.h"
+#include "discontinuity/curve.h"
+#include "scene/json_value.h"
+#include "timeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace penumbra {
+
+namespace {
+
+constexpr std::size_t longest_scene_name = 4096;
+constexpr int most_iterations = 1'000'000, most_surfaces = 1'000'000, most_curves = 100'000'000;
+constexpr double farthest = 1e15; ///< of coordinates; the largest scene is far smaller
+
+double number_in(const JsonValue &value, double low, double high) {
+    const double x = value.number();
+    if (!(x >= low && x <= high))
+        value.fail(fmt::format("is {:g}; give a number from {:g} to {:g}", x, low, high));
+    return x;
+}
+
+template <class Vector>
+Vector triple(const JsonValue &value) {
+    if (const std::size_t n = value.size(); n != 3)
+        value.fail(fmt::format("has {} numbers; give x, y and z", n));
+    return Vector(number_in(value.at(0), -farthest, farthest), number_in(value.at(1), -farthest, farthest),
+                  number_in(value.at(2), -farthest, farthest));
+}
+
+/// What the text names; `find` gives nothing for what it does not know.
+template <class Find>
+auto named(const JsonValue &value, const Find &find, const char *choices) {
+    const std::string text = value.text();
+    const auto found = find(text);
+    if (!found)
+        value.fail("is " + in_quotes(text) + "; give " + choices);
+    return *found;
+}
+
+void read_flag(const JsonValue &object, const char *key, bool &flag) {
+    if (const auto value = object.known(key))
+        flag = value->boolean();
+}
+
+void read_whole(const JsonValue &object, const char *key, int least, int most, int &number) {
+    if (const auto value = object.known(key))
+        number = static_cast<int>(value->integer(least, most));
+}
+
+constexpr const char *strategy_choices =
+    "uniform-constant, discontinuity-constant, uniform-wavelet or discontinuity-wavelet";
+
+Options read_options(const JsonValue &json) {
+    Options o;
+    if (const auto threshold = json.known("threshold")) {
+        o.threshold = number_in(*threshold, 0, 1e6);
+        if (!(o.threshold > 0))
+            threshold->fail("is 0; give a positive number");
+    }
+    if (const auto basis = json.known("basis"))
+        o.basis = named(*basis, basis_family_from_name, "parametric or planar");
+    if (const auto cut = json.known("cut"))
+        o.cut = named(*cut, cut_choice_from_name, "curves or best");
+    if (const auto correction = json.known("coarse_correction"))
+        o.coarse_correction = named(*correction, switch_from_name, "auto, on or off");
+    read_whole(json, "order", 1, 4, o.order);
+    read_whole(json, "max_depth", 0, 20, o.max_depth);
+    read_whole(json, "max_iterations", 1, most_iterations, o.max_iterations);
+    return o;
+}
+
+void read_strategies(const JsonValue &list, SavedState &state) {
+    const std::size_t n = list.size();
+    if (n < 1 || n > most_panes)
+        list.fail(fmt::format("has {} strategies; give 1 to {}", n, most_panes));
+    state.strategies.clear();
+    for (std::size_t i = 0; i < n; ++i)
+        state.strategies.push_back(named(list.at(i), strategy_from_name, strategy_choices));
+}
+
+/// States before `position` have the iteration and the phase alone.
+int read_position(const JsonValue &root) {
+    int position = 0, iteration = 0;
+    if (root.known("position")) {
+        read_whole(root, "position", 0, phases_per_iteration * most_iterations, position);
+        return position;
+    }
+    read_whole(root, "iteration", 0, most_iterations, iteration);
+    const auto phase = root.known("phase");
+    if (iteration == 0 || !phase)
+        return phases_per_iteration * iteration;
+    const auto phase_from_name = [](std::string_view text) -> std::optional<int> {
+        for (int p = 0; p <= phases_per_iteration; ++p)
+            if (name(phase_of(p)) == text)
+                return p;
+        return std::nullopt;
+    };
+    const int in_iteration = named(*phase, phase_from_name, "start, refine, gather or push-pull");
+    return in_iteration == 0 ? 0 : phases_per_iteration * (iteration - 1) + in_iteration;
+}
+
+Camera read_camera(const JsonValue &json) {
+    Camera camera;
+    camera.eye = triple<glm::dvec3>(json["eye"]);
+    camera.target = triple<glm::dvec3>(json["target"]);
+    if (const auto up = json.known("up"))
+        camera.up = triple<glm::dvec3>(*up);
+    if (const auto fov = json.known("fov"))
+        camera.fov_y = number_in(*fov, 0.01, 175);
+    const glm::dvec3 forward = camera.target - camera.eye;
+    const double length = glm::length(forward), up = glm::length(camera.up);
+    const double near = 1e-12 * std::max({1e-12, glm::length(camera.eye), glm::length(camera.target)});
+    if (!(length > near))
+        json.fail("has its eye in its target; move one of them");
+    if (!(up > 0))
+        json.fail("has an up of length 0; give a direction");
+    if (std::abs(up - 1) > 1e-9)
+        camera.up /= up;
+    if (!(glm::length(glm::cross(forward / length, camera.up)) > 1e-9))
+        json.fail("looks along its up; give another up, or move the eye");
+    return camera;
+}
+
+void read_curves(const JsonValue &json, Look &look) {
+    if (const auto kinds = json.known("kinds")) {
+        look.curve_filter.kinds.fill(false);
+        const auto kind_from_name = [&](std::string_view text) -> std::optional<std::size_t> {
+            for (std::size_t k = 0; k < look.curve_filter.kinds.size(); ++k)
+                if (name(static_cast<CurveKind>(k)) == text)
+                    return k;
+            return std::nullopt;
+        };
+        for (std::size_t i = 0; i < kinds->size(); ++i)
+            look.curve_filter.kinds[named(kinds->at(i), kind_from_name, "VE, EV, EEE, plane or contact")] = true;
+    }
+    if (const auto orders = json.known("orders")) {
+        look.curve_filter.orders.fill(false);
+        for (std::size_t i = 0; i < orders->size(); ++i)
+            look.curve_filter.orders[static_cast<std::size_t>(orders->at(i).integer(0, 2))] = true;
+    }
+    read_whole(json, "source", 0, most_surfaces, look.curve_filter.source);
+    read_whole(json, "shown", 0, most_curves, look.spotlight.curve);
+}
+
+Range read_range(const JsonValue &json) {
+    if (const std::size_t n = json.size(); n != 2)
+        json.fail(fmt::format("has {} numbers; give the low and the high end", n));
+    const Range range{number_in(json.at(0), -farthest, farthest), number_in(json.at(1), -farthest, farthest)};
+    if (!(range.low < range.high))
+        json.fail(fmt::format("is {:g} to {:g}; give the low end first", range.low, range.high));
+    return range;
+}
+
+void read_look(const JsonValue &root, SavedState &state) {
+    Look &look = state.look;
+    if (const auto layers = root.known("layers")) {
+        read_flag(*layers, "mesh", look.layers.mesh);
+        read_flag(*layers, "curves", look.layers.curves);
+        read_flag(*layers, "links", look.layers.links);
+        read_flag(*layers, "fresh", look.emphasise_fresh);
+        read_flag(*layers, "legend", state.legend);
+    }
+    if (const auto curves = root.known("curves"))
+        read_curves(*curves, look);
+    if (const auto shading = root.known("shading"))
+        look.shading = named(*shading, shading_from_name, "polynomial, flat or linear");
+    read_flag(root, "false_colour", look.false_colour);
+    if (const auto exposure = root.known("exposure"))
+        look.exposure_ev = number_in(*exposure, -40, 40);
+    if (const auto range = root.known("range"))
+        look.range = read_range(*range);
+    read_flag(root, "range_chosen", state.range_chosen);
+    if (const auto background = root.known("background")) {
+        const auto theme = [](std::string_view text) {
+            return text == "dark"    ? std::optional(Theme::dark)
+                   : text == "light" ? std::optional(Theme::light)
+                                     : std::nullopt;
+        };
+        look.theme = named(*background, theme, "dark or light");
+    }
+}
+
+SavedPicture read_picture(const JsonValue &json) {
+    SavedPicture picture;
+    read_whole(json, "width", smallest_picture, largest_picture, picture.width);
+    read_whole(json, "height", smallest_picture, largest_picture, picture.height);
+    read_flag(json, "lettered", picture.lettered);
+    read_flag(json, "priced", picture.priced);
+    return picture;
+}
+
+/// Of one printable line, as messages quote it.
+std::string read_name(const JsonValue &value) {
+    std::string text = value.text(longest_scene_name);
+    if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+        value.fail("has control characters; rename the scene's file");
+    return text;
+}
+
+void read_scene(const JsonValue &root, SavedState &state) {
+    const JsonValue scene = root["scene"];
+    state.scene = read_name(scene);
+    if (const auto file = root.known("file"))
+        state.file = read_name(*file);
+    if (state.scene.empty() && state.file.empty())
+        scene.fail("is empty; name a bundled scene, or give the scene's file");
+    if (const auto up = root.known("up")) {
+        const auto axis = [](std::string_view text) {
+            return text == "x" || text == "y" || text == "z" ? std::optional(text[0]) : std::nullopt;
+        };
+        state.up = named(*up, axis, "x, y or z");
+    }
+}
+
+} // namespace
+
+SavedState read_state(const std::string &file, std::string_view text) {
+    if (text.size() > largest_state)
+        throw BadInput(
+            fmt::format("{}: is longer than a saved state's limit of {} KiB; open a file that Penumbra wrote", file,
+                        largest_state >> 10));
+    const nlohmann::json json = parse_json(file, text, {.bytes = largest_state, .depth = 16, .values = 20'000});
+    const JsonValue root(json, file);
+    SavedState state;
+    int format = state_format;
+    read_whole(root, "format", 1, 1'000'000, format);
+    if (format > state_format) {
+        const auto by = root.known("written_by");
+        state.notes.push_back(fmt::format("{}: was written by a later version ({}, format {}); what this one does not "
+                                          "know is passed over",
+                                          file, by ? in_quotes(by->text()) : "not named", format));
+    }
+    read_scene(root, state);
+    if (const auto options = root.known("options"))
+        state.options = read_options(*options);
+    if (const auto strategies = root.known("strategies"))
+        read_strategies(*strategies, state);
+    read_whole(root, "active", 0, static_cast<int>(state.strategies.size()) - 1, state.active);
+    state.options.strategy = state.strategies[static_cast<std::size_t>(state.active)];
+    state.position = read_position(root);
+    read_flag(root, "converged", state.converged);
+    if (const auto camera = root.known("camera"))
+        state.camera = read_camera(*camera);
+    read_look(root, state);
+    if (const auto keyhole = root.known("keyhole"))
+        state.keyhole = triple<Vec3>(*keyhole);
+    if (const auto picture = root.known("picture"))
+        state.picture = read_picture(*picture);
+    return state;
+}
+
+} // namespace penumbra

@@ -1,0 +1,54 @@
+// What is kept of a view, to see the same again: in a file NAME.penumbra.json, and in every picture.
+#pragma once
+
+#include "core/options.h"
+#include "render/camera.h"
+#include "render/look.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra {
+
+/// Grows when fields change their meaning; new ones alone do not change it.
+inline constexpr int state_format = 1;
+
+/// What a picture of the panes was drawn with, beside what the window has.
+struct SavedPicture {
+    int width = 1280, height = 960; ///< pixels
+    bool lettered = false;          ///< panes are tagged (a) to (d)
+    bool priced = false;            ///< with the sentence on what two panes took
+    bool operator==(const SavedPicture &) const = default;
+};
+
+struct SavedState {
+    std::string scene = {};      ///< name of a bundled scene, or the file's stem
+    std::string file = {};       ///< relative to the state's folder, or absolute; empty: a bundled scene
+    std::optional<char> up = {}; ///< the scene's up axis: x, y, z; none: the format's own
+    Options options = {};        ///< the strategy is the active pane's; threads are not kept
+    std::vector<Strategy> strategies = {Strategy::discontinuity_wavelet}; ///< of the panes, row by row
+    int active = 0;                                                       ///< pane
+    int position = 0;                                                     ///< see timeline.h
+    bool converged = false;                                               ///< every pane stands at its fixed point
+    std::optional<Camera> camera = {};                                    ///< none: the scene's first view
+    Look look = {};
+    bool range_chosen = false; ///< look.range was asked for; else it is what the values shown came to
+    bool legend = true;
+    std::optional<Vec3> keyhole = {};         ///< scene's own frame
+    std::optional<SavedPicture> picture = {}; ///< none: no picture of the panes
+    std::vector<std::string> notes = {};      ///< what was to be said while reading, a line each; not written
+};
+
+/// How a state in `folder` names the file of the scene: relative to it where both lie below one folder other than `/`,
+/// else absolute; empty for a bundled scene.
+std::string place_of(const Scene &scene, const std::filesystem::path &folder);
+/// The reverse, for a state that was read from `state_file`.
+std::filesystem::path scene_file(const SavedState &state, const std::filesystem::path &state_file);
+/// As SavedState::up has it.
+char up_axis(const Scene &scene);
+Vec3 up_vector(char axis);
+
+} // namespace penumbra

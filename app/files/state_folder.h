@@ -1,0 +1,12 @@
+// Where the program keeps what it may need again by itself.
+#pragma once
+
+#include <filesystem>
+
+namespace penumbra {
+
+/// $XDG_STATE_HOME/penumbra, else $HOME/.local/state/penumbra; a relative XDG_STATE_HOME counts for nothing, as its
+/// specification asks.
+std::filesystem::path state_folder();
+
+} // namespace penumbra

@@ -1,0 +1,74 @@
+#include "files/write_state.h"
+
+#include "files/curves_json.h"
+#include "timeline.h"
+
+namespace penumbra {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Vector>
+Json triple(const Vector &v) {
+    return Json::array({v[0], v[1], v[2]});
+}
+
+Json options(const Options &o) {
+    return {{"threshold", o.threshold}, {"basis", name(o.basis)},   {"order", o.order},
+            {"cut", name(o.cut)},       {"max_depth", o.max_depth}, {"max_iterations", o.max_iterations},
+            {"coarse_correction", name(o.coarse_correction)}};
+}
+
+Json camera(const Camera &c) {
+    return {{"eye", triple(c.eye)}, {"target", triple(c.target)}, {"up", triple(c.up)}, {"fov", c.fov_y}};
+}
+
+Json picture(const SavedPicture &p) {
+    return {{"width", p.width}, {"height", p.height}, {"lettered", p.lettered}, {"priced", p.priced}};
+}
+
+} // namespace
+
+Json state_json(const SavedState &s) {
+    const Look &look = s.look;
+    Json strategies = Json::array();
+    for (const Strategy strategy : s.strategies)
+        strategies.push_back(name(strategy));
+    Json j;
+    j["format"] = state_format;
+    j["written_by"] = "penumbra " PENUMBRA_VERSION;
+    j["scene"] = s.scene;
+    j["file"] = s.file.empty() ? Json() : Json(s.file);
+    j["up"] = s.up ? Json(std::string(1, *s.up)) : Json();
+    j["options"] = options(s.options);
+    j["position"] = s.position;
+    j["iteration"] = iteration_of(s.position);
+    j["phase"] = name(phase_of(s.position));
+    j["converged"] = s.converged;
+    j["layout"] = s.strategies.size() == 1 ? "single" : s.strategies.size() == 2 ? "two" : "four";
+    j["strategies"] = strategies;
+    j["active"] = s.active;
+    j["camera"] = s.camera ? camera(*s.camera) : Json();
+    j["layers"] = {{"mesh", look.layers.mesh},
+                   {"curves", look.layers.curves},
+                   {"links", look.layers.links},
+                   {"fresh", look.emphasise_fresh},
+                   {"legend", s.legend}};
+    j["curves"] = curves_json(look);
+    j["keyhole"] = s.keyhole ? triple(*s.keyhole) : Json();
+    j["shading"] = name(look.shading);
+    j["false_colour"] = look.false_colour;
+    j["exposure"] = look.exposure_ev;
+    j["range"] = look.range ? Json::array({look.range->low, look.range->high}) : Json();
+    j["range_chosen"] = s.range_chosen;
+    j["background"] = look.theme == Theme::dark ? "dark" : "light";
+    j["picture"] = s.picture ? picture(*s.picture) : Json();
+    return j;
+}
+
+std::string state_text(const SavedState &state) {
+    return state_json(state).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace penumbra

@@ -1,0 +1,15 @@
+// The element that was split and its pieces: small in the inspector, and where they lie in the panes.
+#pragma once
+
+#include "app_state.h"
+
+#include <imgui.h>
+
+namespace penumbra {
+
+/// At the cursor, fitted into the square. Returns the piece that was clicked, or -1.
+int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, float side);
+/// Over a pane: the outlines, the chosen piece standing out.
+void draw_split_outline(const AppState &state, ImDrawList &list, const WindowRect &pane);
+
+} // namespace penumbra

@@ -1,0 +1,68 @@
+#include "restore.h"
+
+#include "keyhole_verbs.h"
+
+#include <algorithm>
+
+namespace penumbra {
+
+namespace {
+
+Layout layout_for(std::size_t n_strategies) {
+    return n_strategies == 1 ? Layout::single : n_strategies == 2 ? Layout::two : Layout::four;
+}
+
+/// Pictures may have other numbers of panes than the window: what is missing is filled up, what is left over falls
+/// away.
+void restore_panes(AppState &state, const SavedState &saved) {
+    state.layout = layout_for(saved.strategies.size());
+    PaneSet &panes = state.panes();
+    const std::size_t n = std::min(saved.strategies.size(), panes.strategies.size());
+    std::copy_n(saved.strategies.begin(), n, panes.strategies.begin());
+    panes.active = std::min(saved.active, static_cast<int>(n) - 1);
+}
+
+} // namespace
+
+void restore(AppState &state, const SavedState &saved) {
+    const int threads = state.options.threads;
+    state.options = saved.options;
+    state.options.threads = threads;
+    restore_panes(state, saved);
+    state.position = saved.position;
+    state.hint_done = state.hint_done || saved.position > 0;
+    if (saved.camera)
+        state.camera = *saved.camera;
+    state.camera_is_set = state.camera_moved = saved.camera.has_value();
+    state.pivot.reset();
+    state.look = saved.look;
+    state.look.spotlight = {};
+    state.chosen_range = saved.range_chosen ? saved.look.range : std::nullopt;
+    state.legend_hidden = !saved.legend;
+    if (saved.look.spotlight.curve >= 0)
+        state.pinned_curve = saved.look.spotlight.curve;
+    state.keyhole_to_open = saved.keyhole;
+}
+
+void find_what_was_restored(AppState &state, Strategy strategy) {
+    const auto snapshot = state.snapshot(strategy);
+    if (!snapshot || strategy != state.active_strategy())
+        return;
+    // Curves of reflectors come with later steps.
+    const bool there = state.timeline(strategy).reached(state.position);
+    if (state.pinned_curve && there && *state.pinned_curve >= static_cast<int>(snapshot->curves->size()))
+        state.pinned_curve.reset();
+    if (!state.keyhole_to_open)
+        return;
+    const Vec3 point = *std::exchange(state.keyhole_to_open, std::nullopt);
+    const KeyholeEye eye(state.scene);
+    const SurfaceId surface = eye.surface_at(point, 1e-3);
+    if (!surface.valid()) {
+        state.message = {"The keyhole stays closed: its point lies on no surface that reflects.", false};
+        return;
+    }
+    state.keyhole.open = true;
+    move_keyhole(state, static_cast<int>(surface.at()), point);
+}
+
+} // namespace penumbra
