@@ -49,8 +49,8 @@ struct Transport {
     const Blockers &blockers;
     /// Of T_j at a point, relative to T_0 (source_moments.h). What a fit misses the receiver's rule cannot see all of, so
     /// that for a pair that sees each other whole
-    ///   |K_ij - exact| <= accuracy K_00 max |N_j| + 1/2 the largest |misfit| of column j:
-    /// a link that passes the oracle is right to half of what passes, one that fails may be wrong by 10 % of K_00 and
+    ///   |K_ij - exact| <= accuracy K_00 max |N_j| + the largest |misfit| of column j:
+    /// a link that passes the oracle is right to what passes, one that fails may be wrong by 10 % of K_00 and
     /// more. For an accuracy of 1e-4 or less there are points to match: whatever the fit misses, all coefficients are then
     /// within 20 accuracy K_00 of a pair apart by a fifth of its size, and within 100 of one with an edge in common at 60
     /// degrees or more (at less, the source's other edges hang low over p, and nothing is graded towards

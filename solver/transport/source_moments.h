@@ -19,8 +19,8 @@ namespace penumbra {
 ///   along rays from that corner.
 /// `accuracy`: relative to T_0 (1e-2 to 1e-9). Pieces lie in front of x's plane, x in front of theirs. For each piece
 ///   |T_j - exact| <= (accuracy T_0 + rounding) max |N_j|,
-///   rounding = 16 eps D (1 + d / w) min(T_0 / h, 1 / d),
-/// D the largest distance of x and the element's corners from the frame's origin (whence eps D is the error of a
+///   rounding = 16 eps D (1 + d / w) min(T_0 / h, 1 / d) + eps,
+/// eps = 2^-52 (the last term is what Lambert's sum leaves where its terms cancel), D the largest distance of x and the element's corners from the frame's origin (whence eps D is the error of a
 /// position), h the smaller of x's height above the source's plane and y*'s above that of x, d the distance of x from the
 /// piece's outline, w the element's area over its diameter. Checked by tests/agreement/source_moments_test.cpp, for whole
 /// elements and for parts of parallelograms and of planar elements.

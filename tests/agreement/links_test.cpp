@@ -25,7 +25,7 @@ double worst(const Pair &pair, const Eigen::MatrixXd &exact, int order, double a
         // Of products of Legendre polynomials: sqrt(2k + 1) for each degree, at the corners.
         const auto degree = [&](Eigen::Index k) { return std::sqrt(2.0 * static_cast<double>(k) + 1); };
         const double largest = degree(j / order) * degree(j % order);
-        const double allowed = accuracy * exact(0, 0) * largest + 0.5 * link.misfit.col(j).cwiseAbs().maxCoeff();
+        const double allowed = accuracy * exact(0, 0) * largest + link.misfit.col(j).cwiseAbs().maxCoeff();
         most = std::max(most, (link.kernel.col(j) - exact.col(j)).cwiseAbs().maxCoeff() / allowed);
     }
     return most;
