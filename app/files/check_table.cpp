@@ -58,23 +58,30 @@ std::string check_json(const std::vector<CaseResult> &results) {
 }
 
 std::string health_text(const std::vector<SceneHealth> &scenes) {
-    constexpr const char *row = "{:<{}} {:<10} {:>9} {:>8} {:>9} {:>9} {:>10} {:>9} {:>8}  {}\n";
+    constexpr const char *row =
+        "{:<{}} {:<10} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>10} {:>8} {:>8}  {}\n";
     std::size_t longest = 5;
     for (const SceneHealth &s : scenes)
         longest = std::max(longest, s.scene.size());
-    std::string text = fmt::format(row, "scene", longest, "basis", "balance", "lost", "least", "condition",
-                                   "not finite", "links", "at limit", "");
+    std::string text = fmt::format(row, "scene", longest, "basis", "balance", "absorbed", "lost", "drift", "closure",
+                                   "least", "Gram", "condition", "not finite", "links", "at limit", "");
     for (const SceneHealth &s : scenes)
         text += fmt::format(row, s.scene, longest, name(s.basis),
                             fmt::format("{:.3f} %", 100 * s.health.energy_balance_error),
+                            fmt::format("{:.1f} %", 100 * s.health.absorbed),
                             fmt::format("{:.1f} %", 100 * s.health.lost),
+                            fmt::format("{:.2f} %", 100 * s.health.drift),
+                            std::isfinite(s.health.closure_error) ? fmt::format("{:.1e}", s.health.closure_error) : "-",
                             fmt::format("{:.2g}", s.peak > 0 ? s.health.min_radiosity / s.peak : 0.0),
+                            fmt::format("{:.1e}", s.health.max_gram_error),
                             fmt::format("{:.3g}", s.health.max_filter_condition), s.health.non_finite, s.counters.links,
                             s.counters.nodes_at_limit, s.counters.converged ? "converged" : "NOT CONVERGED");
     return text +
-           "\nbalance: energy that arrives less what independent rays bring, of the emitted. lost: share of the light\n"
-           "that meets no reflecting surface. least: smallest radiosity, of the largest reflected. condition: largest\n"
-           "of a push filter. at limit: nodes whose links failed the oracle at the depth limit.\n";
+           "\nbalance: energy that arrives less what independent rays bring, of the emitted, in the worst channel.\n"
+           "emitted = absorbed (as solved) + lost (by rays, to black surfaces or out of the scene) + drift. closure: the\n"
+           "largest distance of a surface's form factors' sum from 1; - where the scene is open or part of it dark.\n"
+           "least: smallest radiosity, of the largest reflected. Gram: how far bases are from orthonormal. condition:\n"
+           "largest of a push filter. at limit: nodes whose links failed the oracle at the depth limit.\n";
 }
 
 std::string health_json(const std::vector<SceneHealth> &scenes) {
@@ -83,7 +90,11 @@ std::string health_json(const std::vector<SceneHealth> &scenes) {
         list.push_back({{"scene", s.scene},
                         {"basis", name(s.basis)},
                         {"energy_balance_error", finite(s.health.energy_balance_error)},
+                        {"absorbed", finite(s.health.absorbed)},
                         {"lost", finite(s.health.lost)},
+                        {"drift", finite(s.health.drift)},
+                        {"closure_error", finite(s.health.closure_error)},
+                        {"max_gram_error", finite(s.health.max_gram_error)},
                         {"min_radiosity", finite(s.health.min_radiosity)},
                         {"peak", finite(s.peak)},
                         {"max_filter_condition", finite(s.health.max_filter_condition)},

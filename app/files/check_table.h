@@ -27,8 +27,8 @@ struct SceneHealth {
 
 /// A line each. Least radiosity is given as a fraction of the peak.
 std::string health_text(const std::vector<SceneHealth> &scenes);
-/// A list of {scene, basis, energy_balance_error, lost, min_radiosity, peak, max_filter_condition, non_finite, links,
-/// nodes_at_limit, converged}.
+/// A list of {scene, basis, energy_balance_error, absorbed, lost, drift, closure_error (null in open scenes),
+/// max_gram_error, min_radiosity, peak, max_filter_condition, non_finite, links, nodes_at_limit, converged}.
 std::string health_json(const std::vector<SceneHealth> &scenes);
 
 } // namespace penumbra

@@ -18,12 +18,16 @@ namespace {
 struct Flux {
     Rgb emitted = Rgb::Zero();  ///< by the emitters
     Rgb leaving = Rgb::Zero();  ///< B over all surfaces
+    Rgb absorbed = Rgb::Zero(); ///< by the reflecting surfaces, as the solution has it
+    double escaped = 0;         ///< of the rays, those that meet nothing
     Rgb arrives = Rgb::Zero();  ///< irradiance over the reflecting surfaces, as the solution has it
     Rgb by_rays = Rgb::Zero();  ///< the same, as rays bring it
 
     Flux &operator+=(const Flux &o) {
         emitted += o.emitted;
         leaving += o.leaving;
+        absorbed += o.absorbed;
+        escaped += o.escaped;
         arrives += o.arrives;
         by_rays += o.by_rays;
         return *this;
@@ -59,13 +63,16 @@ Flux follow(const Scene &scene, const RayScene &rays, const Element &e, const Co
         if (!dark) {
             flux.emitted += area * own;
             flux.arrives += reflecting(rho) * area * (value - own) / rho.max(1e-300);
+            flux.absorbed += reflecting(rho) * (1 - rho) * area * (value - own) / rho.max(1e-300);
         }
         const double r = std::sqrt(s[2]), phi = 2 * std::numbers::pi * s[3];
         const Vec3 direction = r * std::cos(phi) * surface.frame.u + r * std::sin(phi) * surface.frame.v +
                                std::sqrt(1 - s[2]) * surface.frame.normal;
         const auto hit = rays.nearest(surface.frame.to_space(q.position), direction);
-        if (!hit || !hit->front)
+        if (!hit || !hit->front) {
+            ++flux.escaped;
             continue;
+        }
         const Surface &target = scene.surface(hit->surface);
         const Vec3 at = surface.frame.to_space(q.position) + hit->distance * direction;
         if (!is_covered(target, target.frame.to_plane(at)))
@@ -83,6 +90,46 @@ double least_radiosity(const Element &e, const Coefficients &radiosity) {
                 least = std::min(
                     least, (e.basis.evaluate(tile.at((i + 0.5) / 5, (j + 0.5) / 5)).transpose() * b).minCoeff());
     return least;
+}
+
+double largest_gram_error(const Forest &forest) {
+    double most = 0;
+    for (const Element &e : forest.elements) {
+        const int n = e.basis.n_functions();
+        Eigen::MatrixXd gram = -Eigen::MatrixXd::Identity(n, n);
+        for (const QuadraturePoint &q : e.basis.quadrature(e.basis.order() + 1)) {
+            const BasisValues values = e.basis.evaluate(q);
+            gram += q.inner * values * values.transpose();
+        }
+        most = std::max(most, gram.cwiseAbs().maxCoeff());
+    }
+    return most;
+}
+
+/// Of the surfaces that have elements to receive.
+double largest_closure_error(const Scene &scene, const State &state) {
+    double most = 0;
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+        if (!scene.reflects(SurfaceId(s)))
+            continue;
+        double sum = 0, area = 0;
+        for (const ElementId root : state.forest.roots[s])
+            area += state.forest[root].basis.area();
+        for (std::size_t e = 0; e < state.interactions.size(); ++e)
+            for (const auto &interaction : state.interactions[e])
+                if (state.forest[interaction->receiver].surface == SurfaceId(s))
+                    for (const Link &link : interaction->links)
+                        sum += state.forest[interaction->receiver].basis.area() * link.kernel(0, 0);
+        most = std::max(most, std::abs(sum / area - 1));
+    }
+    return most;
+}
+
+bool all_shine(const Forest &forest, const Coefficients &radiosity) {
+    return std::ranges::all_of(forest.roots, [&](const std::vector<ElementId> &roots) {
+        return std::ranges::any_of(
+            roots, [&](ElementId root) { return radiosity.row(forest[root].first).maxCoeff() > 0; });
+    });
 }
 
 double largest_condition(const Forest &forest) {
@@ -125,8 +172,13 @@ Health health(const Scene &scene, const State &state, int n_rays) {
         sum += f;
     if (sum.emitted.maxCoeff() > 0) {
         out.energy_balance_error = (sum.arrives - sum.by_rays).abs().maxCoeff() / sum.emitted.maxCoeff();
-        out.lost = 1 - sum.by_rays.sum() / sum.leaving.sum();
+        out.absorbed = sum.absorbed.sum() / sum.emitted.sum();
+        out.lost = (sum.leaving - sum.by_rays).sum() / sum.emitted.sum();
+        out.drift = 1 - out.absorbed - out.lost;
     }
+    const bool closed = sum.escaped == 0 && all_shine(forest, state.radiosity);
+    out.closure_error = closed ? largest_closure_error(scene, state) : std::numeric_limits<double>::quiet_NaN();
+    out.max_gram_error = largest_gram_error(forest);
     out.max_filter_condition = largest_condition(forest);
     out.non_finite = static_cast<int>((!state.radiosity.array().isFinite()).count());
     return out;

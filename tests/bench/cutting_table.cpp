@@ -1,14 +1,8 @@
-// cutting_table [THRESHOLD]: what cutting does on several scenes, as a table in Markdown. Errors are relative L2 errors
-// of B - E: against the exact direct solution where light bounces once, else against a solution with a tenth of the
-// threshold and two more levels.
-#include "solved.h"
-
-#include "iteration/state.h"
-#include "reference/solution.h"
+// cutting_table [THRESHOLD]: what cutting does on several scenes, as a table in Markdown; errors as in true_error.h.
+#include "true_error.h"
 
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
 #include <string>
 
 using namespace penumbra;
@@ -29,16 +23,9 @@ constexpr Way ways[] = {{"uniform", Strategy::uniform_wavelet, CutChoice::curves
 
 void add_rows(const char *name, double threshold) {
     const auto scene = bundled(name);
-    std::shared_ptr<const State> reference;
-    if (!has_one_bounce(*scene)) {
-        Options options = options_of(Strategy::discontinuity_wavelet, threshold / 10);
-        options.max_depth += 2;
-        Solver solver(scene, options);
-        solver.run();
-        reference = solver.state();
-    }
+    const TrueError error(scene, threshold);
     for (const Way &way : ways) {
-        if (!reference && way.strategy == Strategy::discontinuity_wavelet && !way.reflector_curves)
+        if (error.one_bounce() && way.strategy == Strategy::discontinuity_wavelet && !way.reflector_curves)
             continue; // nothing that reflects lights anything
         Options options = options_of(way.strategy, threshold);
         options.cut = way.cut;
@@ -46,10 +33,7 @@ void add_rows(const char *name, double threshold) {
         Solver solver(scene, options);
         solver.run();
         const Counters &c = solver.counters();
-        const double error = reference ? reference::root_mean_square_difference(*scene, *solver.state(), *reference) /
-                                             reference::root_mean_square_reflected(*scene, *reference)
-                                       : solver.snapshot(true)->error;
-        std::printf("| %s | %s | %d | %.2f %% | %.3f | %ld | %d | %d |\n", name, way.title, c.patches, 100 * error,
+        std::printf("| %s | %s | %d | %.2f %% | %.3f | %ld | %d | %d |\n", name, way.title, c.patches, 100 * error.of(solver),
                     c.seconds, static_cast<long>(c.total_work.kernel_evaluations), c.nodes_at_limit, c.curves);
         std::fflush(stdout);
     }

@@ -105,6 +105,13 @@ TEST_F(CommandLine, CheckOfAScene) {
         EXPECT_EQ(found["non_finite"], 0);
         EXPECT_LT(found["energy_balance_error"], 0.02);
         EXPECT_EQ(found["converged"], true);
+        EXPECT_LT(found["max_gram_error"], 1e-12);
+        EXPECT_NEAR(found["absorbed"].get<double>() + found["lost"].get<double>() + found["drift"].get<double>(), 1, 1e-12);
+        EXPECT_LT(std::abs(found["drift"].get<double>()), 0.02);
+    }
+    for (const int basis : {0, 1}) {
+        EXPECT_LT(health[static_cast<std::size_t>(basis)]["closure_error"], 1e-4);
+        EXPECT_TRUE(health[static_cast<std::size_t>(2 + basis)]["closure_error"].is_null()); // an open scene
     }
     EXPECT_NEAR(health[0]["lost"], 0, 1e-12); // a closed room of reflecting walls
     EXPECT_THAT(run("check furnace").out, HasSubstr("planar"));
