@@ -1,6 +1,5 @@
 #include "study/case_groups.h"
 
-#include "measure/direct.h"
 #include "study/lit_floor.h"
 #include "study/point_factor.h"
 
@@ -21,21 +20,11 @@ Face lamp() { return parallelogram(Vec3(0.1, 0.2, 1), 0.3 * y, 0.3 * x, 0, 1); }
 std::vector<Measurement> compare_with_direct(const Faces &shown, const Face &blocker, const TrialSetting &setting) {
     Faces faces{floor(), lamp()};
     faces.insert(faces.end(), shown.begin(), shown.end());
-    const Trial trial = solve(faces, setting), whole = solve({floor(), lamp(), blocker}, setting);
-    const Scene &scene = *whole.scene;
-    const Blockers blockers(scene);
-    const auto exact = [&](const Vec3 &p) {
-        const Vec2 at = scene.surfaces[0].frame.to_plane(scene.own.to_solver(p));
-        return direct_radiosity(scene, blockers, SurfaceId(0), at).maxCoeff();
-    };
     // On the wall's foot radiosity jumps: there it has no value.
     std::vector<Vec3> points = grid(o, x, y);
     std::erase_if(points,
                   [](const Vec3 &p) { return std::abs(p.x() - 0.5) < 1e-9 && std::abs(p.y() - 0.5) < 0.2 + 1e-9; });
-    std::vector<Measurement> out = soundness(trial);
-    out.push_back(
-        {"error against the exact direct light", largest_error(trial, points, z, exact), setting.options.threshold});
-    return out;
+    return penumbra::compare_with_direct(faces, {floor(), lamp(), blocker}, points, setting);
 }
 
 /// A square at height h above the floor, so low that it hides nothing outside its own outline and all inside.

@@ -1,7 +1,7 @@
 #include "study/case_groups.h"
 
 #include "hierarchy/cut.h"
-#include "measure/direct.h"
+#include "study/lit_floor.h"
 
 #include <Eigen/QR>
 
@@ -17,21 +17,10 @@ const Vec3 o = Vec3::Zero(), x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::Uni
 Face floor() { return parallelogram(o, x, y, 0.5); }
 Face lamp() { return parallelogram(Vec3(0.1, 0.2, 1), 0.3 * y, 0.3 * x, 0, 1); }
 
-/// The floor's error against what each of its points sees of the lamp, exactly.
 std::vector<Measurement> compare_with_direct(const Faces &in_the_light, const TrialSetting &setting) {
     Faces faces{floor(), lamp()};
     faces.insert(faces.end(), in_the_light.begin(), in_the_light.end());
-    const Trial trial = solve(faces, setting);
-    const Scene &scene = *trial.scene;
-    const Blockers blockers(scene);
-    const auto exact = [&](const Vec3 &p) {
-        const Vec2 at = scene.surfaces[0].frame.to_plane(scene.own.to_solver(p));
-        return direct_radiosity(scene, blockers, SurfaceId(0), at).maxCoeff();
-    };
-    std::vector<Measurement> out = soundness(trial);
-    out.push_back({"error against the exact direct light", largest_error(trial, grid(o, x, y), z, exact),
-                   setting.options.threshold});
-    return out;
+    return penumbra::compare_with_direct(faces, faces, grid(o, x, y), setting);
 }
 
 /// A thousand cuts of one square, each taking a strip of a thousandth of what is left: functions go from the square

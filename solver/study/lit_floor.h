@@ -1,4 +1,5 @@
-// A receiver and a black emitter that it sees whole: the closed form is Lambert's.
+// A receiver and a black emitter: what each point gets is known, by Lambert's closed form where all is seen, else by what is
+// seen of the emitter.
 #pragma once
 
 #include "study/trial.h"
@@ -13,5 +14,11 @@ std::vector<Measurement> compare_with_lambert(const Faces &faces, const Face &la
 /// The emitter is faces[1].
 std::vector<Measurement> compare_with_lambert(const Faces &faces, const std::vector<Vec3> &points,
                                               const TrialSetting &setting);
+
+/// The largest error on the points of faces[0] against the exact direct light (measure/direct.h) of the scene `as_seen`,
+/// as a fraction of the largest value there, may be the threshold; and soundness(). `as_seen` has the same light: the
+/// faces themselves, or fewer that shade alike. Light bounces once.
+std::vector<Measurement> compare_with_direct(const Faces &faces, const Faces &as_seen, const std::vector<Vec3> &points,
+                                             const TrialSetting &setting);
 
 } // namespace penumbra
