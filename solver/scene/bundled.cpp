@@ -35,6 +35,9 @@ std::optional<Scene> open_bundled_scene(const std::string &name, const std::opti
 
 Scene open_scene(const std::string &name, const std::optional<Vec3> &up) {
     std::error_code none;
+    if (std::filesystem::is_directory(name, none))
+        if (auto scene = open_bundled_scene(name, up))
+            return *std::move(scene);
     if (std::filesystem::exists(name, none))
         return is_gltf(name) ? read_gltf(name, up.value_or(Vec3::UnitY())) : read_obj(name, up.value_or(Vec3::UnitZ()));
     if (auto scene = open_bundled_scene(name, up))

@@ -139,9 +139,13 @@ TEST(Bundled, AnExistingFileWins) {
     std::filesystem::current_path(folder);
     std::ofstream("figure-4") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const int n = open_scene("figure-4").n_surfaces();
+    std::filesystem::create_directories("furnace"); // a folder is no file
+    const int n_of_furnace = open_scene("furnace").n_surfaces();
+    EXPECT_THROW(open_scene("."), BadInput);
     std::filesystem::current_path(here);
     std::filesystem::remove_all(folder);
     EXPECT_EQ(n, 1);
+    EXPECT_EQ(n_of_furnace, 6);
     EXPECT_EQ(open_scene("figure-4").n_surfaces(), 3);
 }
 
