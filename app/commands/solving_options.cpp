@@ -102,10 +102,22 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
                     "Largest misfit, as a fraction of the largest reflected radiosity")
         ->check(positive())
         ->capture_default_str();
-    add_pending_option(parser, "--tolerance", "Relative L2 error of the reflected radiosity asked for");
-    parser.add_option("--max-depth", o.max_depth, "Halvings of both directions, 0 to 20")
-        ->check(CLI::Range(0, 20))
-        ->capture_default_str();
+    auto *depth = parser.add_option("--max-depth", o.max_depth, "Halvings of both directions, 0 to 20")
+                      ->check(CLI::Range(0, deepest))
+                      ->capture_default_str();
+    parser
+        .add_option_function<double>(
+            "--tolerance",
+            [&o, depth](double value) {
+                const int asked = o.max_depth;
+                o = o.to_tolerance(value);
+                if (depth->count() > 0)
+                    o.max_depth = asked;
+            },
+            "Relative L2 error of the reflected radiosity asked for; thresholds are found, and no depth limit holds unless "
+            "--max-depth sets one")
+        ->check(positive())
+        ->excludes("--threshold");
     parser.add_option("--max-iterations", o.max_iterations, "Iterations before giving up")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();

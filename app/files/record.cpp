@@ -28,6 +28,9 @@ Json iteration(const Counters &c) {
             {"refine_s", c.refine_s},
             {"gather_s", c.gather_s},
             {"push_pull_s", c.push_pull_s},
+            {"measure_s", c.measure_s},
+            {"threshold", c.threshold},
+            {"estimated_error", c.estimated_error >= 0 ? Json(c.estimated_error) : Json()},
             {"change", c.change}};
 }
 
@@ -49,8 +52,8 @@ Json final_state(const Snapshot *solution) {
                  {"seconds", c.seconds},
                  {"peak_memory_mib", peak_memory_mib()},
                  {"error", solution && solution->error >= 0 ? Json(solution->error) : Json()},
-                 {"estimated_error", nullptr},
-                 {"error_bound", nullptr}};
+                 {"estimated_error", c.estimated_error >= 0 ? Json(c.estimated_error) : Json()},
+                 {"error_bound", c.error_bound >= 0 ? Json(c.error_bound) : Json()}};
     if (!solution)
         for (auto &[key, value] : json.items())
             value = key == "converged" ? Json(false) : Json();
@@ -79,8 +82,8 @@ std::string to_json(const Record &record) {
                        {"order", record.options.effective_order()},
                        {"cut", name(record.options.cut)},
                        {"coarse_correction", name(record.options.coarse_correction)},
-                       {"threshold", record.options.threshold},
-                       {"tolerance", nullptr},
+                       {"threshold", solution ? solution->counters.threshold : record.options.threshold},
+                       {"tolerance", record.options.tolerance ? Json(*record.options.tolerance) : Json()},
                        {"threads", threads()},
                        {"version", PENUMBRA_VERSION},
                        {"iterations", std::move(iterations)},

@@ -44,8 +44,15 @@ struct Counters {
     Work total_work;          ///< of all iterations so far
     double refine_s = 0, gather_s = 0, push_pull_s = 0;
     double seconds = 0;       ///< of all iterations so far
+    double measure_s = 0;     ///< of this iteration, for the error's estimate
+    double threshold = 0;     ///< in force: the oracle's
+    double estimated_error = -1; ///< relative L2 error of B - E, about; negative: not measured in this state
+    double error_limit = -1; ///< upper confidence limit of that
+    double error_bound = -1;  ///< that it does not exceed, with the confidence of ErrorEstimate; negative: not measured
+    bool exhausted = false;   ///< the tolerance is not met and nothing can be refined any more
     double change = 0;        ///< largest change of a radiosity in this iteration, as a fraction of the largest B - E
-    bool converged = false;   ///< no refinement in this iteration, and a change below 0.1 threshold (1 - rho_max)
+    bool settled = false;     ///< no refinement in this iteration, and a change below 0.1 threshold (1 - rho_max)
+    bool converged = false;   ///< settled; with a tolerance also measured, and below it
 };
 
 } // namespace penumbra

@@ -53,6 +53,8 @@ inline constexpr Switch all_switches[] = {Switch::automatic, Switch::on, Switch:
 std::string_view name(Switch value);
 std::optional<Switch> switch_from_name(std::string_view name);
 
+inline constexpr int deepest = 20; ///< of --max-depth
+
 struct Options {
     Strategy strategy = Strategy::discontinuity_wavelet;
     BasisFamily basis = BasisFamily::parametric;
@@ -61,6 +63,9 @@ struct Options {
     int order = 4;
     /// Largest misfit that the oracle lets pass, as a fraction of the largest reflected radiosity B - E.
     double threshold = 0.02;
+    /// Relative L2 error of B - E asked for, over the reflecting surfaces and all channels. Where given the solver finds its
+    /// own thresholds (iteration/tolerance_control.h), and `threshold` is not looked at.
+    std::optional<double> tolerance;
     /// Halvings of both directions below a surface's convex part; the paper's experiment allows 6.
     int max_depth = 6;
     int max_iterations = 100;
@@ -74,6 +79,14 @@ struct Options {
     Switch coarse_correction = Switch::automatic;
     /// 0: all cores.
     int threads = 0;
+
+    /// The same, asked for an accuracy: no depth limit but the one that halving keeps apart from rounding.
+    Options to_tolerance(double value) const {
+        Options out = *this;
+        out.tolerance = value;
+        out.max_depth = deepest;
+        return out;
+    }
 
     int effective_order() const { return is_constant(strategy) ? 1 : order; }
 };

@@ -13,6 +13,7 @@ namespace penumbra {
 namespace {
 
 constexpr double small = 0.25;        // of the node's area: a piece that is sampled on its own
+constexpr double smallest_area = 1e-10; // of a node that is split on the way to a tolerance; the scene's diagonal is 1
 constexpr std::size_t most_cuts = 24; // of one node that are scored, the longest first
 
 struct CurveCut {
@@ -77,6 +78,8 @@ std::optional<Split> best_split(const Setting &setting, const Transport &transpo
                                 std::span<const Interaction *const> failing, double allowed, Work &work) {
     const Element &node = state.forest[id];
     const Options &options = setting.options;
+    if (options.tolerance && node.basis.area() < smallest_area)
+        return std::nullopt;
     const bool may_subdivide = node.half_depth + uniform_half_depth(node.basis) <= 2 * options.max_depth;
     const bool may_cut = cuts_along_curves(options.strategy);
     const bool may_bisect = node.half_depth + 1 <= 2 * options.max_depth;

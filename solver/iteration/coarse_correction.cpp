@@ -57,17 +57,25 @@ void correct_coarsely(const Setting &setting, State &state, const Coefficients &
         }
         change.row(s) /= area(state.forest, id);
     }
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> to_come = bounces_to_come(setting, state, change);
+    for (const Element &e : state.forest.elements)
+        state.radiosity.row(e.first) += to_come.row(e.surface.index);
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> bounces_to_come(const Setting &setting, const State &state,
+                                                         const Eigen::Matrix<double, Eigen::Dynamic, 3> &mean) {
+    const Scene &scene = *setting.scene;
+    const int n = scene.n_surfaces();
     const Eigen::MatrixXd factors = form_factors(state, n);
+    Eigen::Matrix<double, Eigen::Dynamic, 3> out (n, 3);
     for (int channel = 0; channel < 3; ++channel) {
         Eigen::VectorXd rho(n);
         for (int s = 0; s < n; ++s)
             rho[s] = scene.reflectance(SurfaceId(s))[channel];
         const Eigen::MatrixXd a = rho.asDiagonal() * factors;
-        const Eigen::VectorXd constant =
-            (Eigen::MatrixXd::Identity(n, n) - a).partialPivLu().solve(a * change.col(channel));
-        for (const Element &e : state.forest.elements)
-            state.radiosity(e.first, channel) += constant[e.surface.index];
+        out.col(channel) = (Eigen::MatrixXd::Identity(n, n) - a).partialPivLu().solve(a * mean.col(channel));
     }
+    return out;
 }
 
 } // namespace penumbra

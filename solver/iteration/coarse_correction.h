@@ -14,6 +14,10 @@ namespace penumbra {
 /// 1985); tests/analytic/furnace_test.cpp.
 void correct_coarsely(const Setting &setting, State &state, const Coefficients &before);
 
+/// (I - A)^-1 A mean: what constants on the surfaces (rows) bring to them by all bounces to come.
+Eigen::Matrix<double, Eigen::Dynamic, 3> bounces_to_come(const Setting &setting, const State &state,
+                                                         const Eigen::Matrix<double, Eigen::Dynamic, 3> &mean);
+
 /// Whether the options and the scene call for it: `automatic` where a reflectance reaches 0.95 and plain
 /// steps take 150 and more.
 bool corrects_coarsely(const Setting &setting);

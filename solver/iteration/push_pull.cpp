@@ -47,11 +47,11 @@ void push_pull(const Setting &setting, State &state) {
     state.peak = most.reflected;
     Counters &c = state.counters;
     c.change = most.reflected > 0 ? most.change / most.reflected : 0;
-    c.converged = !c.refined && c.change <= 0.1 * setting.options.threshold * (1 - setting.largest_reflectance());
-    state.sentence = c.converged ? "converged: nothing refined, and radiosity no longer changes"
-                                 : "pushed irradiance to " + std::to_string(c.patches) +
+    c.settled = !c.refined && c.change <= 0.1 * c.threshold * (1 - setting.largest_reflectance());
+    state.sentence = c.settled ? "converged: nothing refined, and radiosity no longer changes"
+                               : "pushed irradiance to " + std::to_string(c.patches) +
                                        " patches and pulled radiosity up; it changed by " + percent(c.change);
-    if (corrects && !c.converged)
+    if (corrects && !c.settled)
         state.sentence += "; a constant on each surface took the bounces to come ahead";
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "core/percent.h"
+#include "iteration/allowance.h"
 #include "iteration/candidates.h"
 #include "iteration/known_curves.h"
 
@@ -41,8 +42,7 @@ public:
     Refinement(const Setting &setting, State &state, const Cancel *cancel)
         : setting_(setting), state_(state), scene_(*setting.scene),
           cancel_(cancel),
-          transport_(setting.transport(cancel)),
-          allowed_(setting.options.threshold / (1 + setting.options.threshold) * state.peak), detail_(dropped_detail(state.forest, state.radiosity)) {
+          transport_(setting.transport(state.counters.threshold, cancel)), allowance_(setting, state), detail_(dropped_detail(state.forest, state.radiosity)) {
         brightness_.resize(scene_.surfaces.size());
         for (std::size_t s = 0; s < brightness_.size(); ++s)
             brightness_[s] = largest_radiosity(SurfaceId(s));
@@ -72,7 +72,7 @@ private:
 
     bool is_weak(ElementId receiver, SurfaceId source, double form_factor) const {
         const Rgb most = scene_.reflectance(state_.forest[receiver].surface) * brightness_[source.at()] * form_factor;
-        return most.maxCoeff() <= weak_share * allowed_;
+        return most.maxCoeff() <= weak_share * allowance_.anywhere();
     }
 
     Judgement judge(const Interaction &interaction) const {
@@ -86,10 +86,10 @@ private:
         for (const Link &link : interaction.links)
             dropped += rho * link.kernel(0, 0) * detail_[link.source.at()];
         bool split_source = false;
-        const double share = source_share * allowed_ / static_cast<double>(interaction.links.size());
+        const double share = source_share * allowance_.anywhere() / static_cast<double>(interaction.links.size());
         for (const Link &link : interaction.links) {
             const Element &q = state_.forest[link.source];
-            const bool split = dropped > source_share * allowed_ && !q.leaf() &&
+            const bool split = dropped > source_share * allowance_.anywhere() && !q.leaf() &&
                                rho * link.kernel(0, 0) * detail_[link.source.at()] > 0.5 * share;
             if (!split)
                 out.sources.push_back(link.source);
@@ -97,9 +97,9 @@ private:
                 out.sources.push_back(ElementId(q.first_child.index + c));
             split_source |= split;
         }
-        const Rgb misfit = scene_.reflectance(p.surface) * interaction.largest_misfit(state_.forest, state_.radiosity);
+        const double misfit = allowance_.measured(interaction, state_, scene_.reflectance(p.surface));
         // A threshold of 0 lets nothing pass once there is light.
-        out.misfit = misfit.maxCoeff() > 0 ? misfit.maxCoeff() / allowed_ : 0;
+        out.misfit = misfit > 0 ? misfit / allowance_.misfit(p) : 0;
         if (out.misfit > 1)
             out.verdict = Verdict::fail;
         else if (split_source || (interaction.weak && !out.weak))
@@ -134,7 +134,8 @@ private:
         std::vector<Work> work(to_split.size());
         parallel_for(to_split.size(), [&](std::size_t i) {
             const ElementId node(to_split[i]);
-            splits[i] = best_split(setting_, transport_, state_, node, failing[node.at()], allowed_, work[i]);
+            splits[i] = best_split(setting_, transport_, state_, node, failing[node.at()],
+                                   allowance_.misfit(state_.forest[node]), work[i]);
         });
         for (const Work &w : work)
             state_.counters.work += w;
@@ -188,7 +189,7 @@ private:
             if (!curve.blockers.empty())
                 how += " and " + surface_name(curve.blockers.front());
         }
-        const double threshold = setting_.options.threshold;
+        const double threshold = state_.counters.threshold;
         told_ = surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " +
                 std::to_string(e.basis.order()) + " misses what " + surface_name(source) + " brings by " +
                 percent(worst * threshold) + " of the peak > " + percent(threshold) + "; " + how;
@@ -311,7 +312,7 @@ private:
     const Scene &scene_;
     const Cancel *cancel_;
     Transport transport_;
-    double allowed_; ///< misfit that passes [W/m2]: the present peak may itself be too large by the threshold
+    Allowance allowance_;
     std::vector<double> detail_;
     std::vector<Rgb> brightness_;
     std::vector<std::vector<Judgement>> judgements_; ///< as state.interactions

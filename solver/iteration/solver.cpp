@@ -4,6 +4,7 @@
 #include "iteration/known_curves.h"
 #include "iteration/state.h"
 #include "iteration/take_snapshot.h"
+#include "iteration/tolerance_control.h"
 #include "measure/direct.h"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ double Setting::largest_reflectance() const {
     return most;
 }
 
-Transport Setting::transport(const Cancel *cancel) const {
-    const double accuracy = std::clamp(0.1 * options.threshold, 1e-7, 1e-2);
+Transport Setting::transport(double threshold, const Cancel *cancel) const {
+    const double accuracy = std::clamp(0.1 * threshold, 1e-7, 1e-2);
     const double share = std::min(1.0, 10 * (1 - largest_reflectance()));
     return {*scene, *blockers, accuracy, std::max(accuracy * share, 1e-9), cancel};
 }
@@ -45,6 +46,7 @@ std::shared_ptr<const State> first_state(const Setting &setting, const Cancel *c
             state->counters.patches += static_cast<int>(state->forest.roots[static_cast<std::size_t>(s)].size());
     const int n = state->forest.elements.front().basis.n_functions();
     state->counters.coefficients = state->counters.patches * n;
+    state->counters.threshold = first_threshold(setting.options);
     trace_emitters(scene, *state, cancel);
     state->counters.curves = static_cast<int>(state->curves->curves().size());
     state->sentence = "only the emitters shine: nothing has been gathered yet";
@@ -65,6 +67,8 @@ Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const
     setting.scene = std::move(scene);
     setting.options = options;
     setting.blockers = std::make_unique<const Blockers>(*setting.scene);
+    if (options.tolerance && !has_one_bounce(*setting.scene))
+        setting.rays = std::make_unique<const RayScene>(*setting.scene);
     if (cancel)
         cancel->check();
     parts_->state = first_state(setting, cancel);
@@ -86,8 +90,14 @@ void Solver::sub_step(const Cancel *cancel) {
         c.iteration = before.iteration + 1;
         c.total_work = before.total_work;
         c.seconds = before.seconds;
+        c.threshold = before.threshold;
         seconds = c.refine_s = seconds_of([&] { refine(setting, *next, cancel); });
         c.total_work += c.work;
+        if (!c.refined) { // the same elements and links as before
+            c.estimated_error = before.estimated_error;
+            c.error_limit = before.error_limit;
+            c.error_bound = before.error_bound;
+        }
         next->phase = Phase::refined;
         break;
     }
@@ -96,7 +106,9 @@ void Solver::sub_step(const Cancel *cancel) {
         next->phase = Phase::gathered;
         break;
     case Phase::gathered:
-        seconds = c.push_pull_s = seconds_of([&] { push_pull(setting, *next); });
+        c.push_pull_s = seconds_of([&] { push_pull(setting, *next); });
+        c.measure_s = seconds_of([&] { control(setting, *next, cancel); });
+        seconds = c.push_pull_s + c.measure_s;
         next->phase = Phase::pushed_pulled;
         break;
     }
@@ -117,7 +129,7 @@ void Solver::step(const Cancel *cancel) {
 }
 
 bool Solver::run(const Cancel *cancel) {
-    while (!converged() && counters().iteration < options().max_iterations)
+    while (!converged() && !counters().exhausted && counters().iteration < options().max_iterations)
         step(cancel);
     return converged();
 }

@@ -6,6 +6,7 @@
 #include "hierarchy/push_pull.h"
 #include "iteration/snapshot.h"
 #include "transport/interaction.h"
+#include "visibility/ray_scene.h"
 
 #include <memory>
 #include <string>
@@ -18,13 +19,14 @@ struct Setting {
     std::shared_ptr<const Scene> scene;
     Options options;
     std::unique_ptr<const Blockers> blockers;
+    std::unique_ptr<const RayScene> rays{}; ///< for the error's estimate; null: none asked for, or light bounces once
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
     double largest_reflectance() const; ///< of all surfaces and channels
-    /// Links are made to a tenth of the threshold. What they miss is reflected again and again, 1 / (1 - rho) times in all:
+    /// Links are made to a tenth of the threshold in force. What they miss is reflected again and again, 1 / (1 - rho) times in all:
     /// beyond a reflectance of 0.9 what a constant source brings gets the digits that this takes. Details of radiosity are
     /// of the size of the first bounces; what they bring is not worth it.
-    Transport transport(const Cancel *cancel) const;
+    Transport transport(double threshold, const Cancel *cancel) const;
 };
 
 /// Immutable once a phase is complete. Interactions are shared with the states before and after.
@@ -49,6 +51,8 @@ struct State {
 
 /// Links new pairs, tests all T_S with the oracle, splits the nodes that failed, and links their children.
 void refine(const Setting &setting, State &state, const Cancel *cancel);
+/// What these radiosities bring to every element by its own links: the sum over them of K b.
+Coefficients gathered(const State &state, const Coefficients &radiosity, const Cancel *cancel);
 /// irradiance = sum over the links of K b, at the level of each link.
 void gather(const Setting &setting, State &state, const Cancel *cancel);
 /// Irradiance down to the leaves, radiosity up; the change, the peak and whether the iteration has converged.

@@ -5,33 +5,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace penumbra {
 
-Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point) {
+namespace {
+
+/// Whether the polygon keeps out of the cone from x to the source polygon (counter-clockwise as x sees it) by one of its
+/// side planes.
+bool outside_cone(const Vec3 &x, std::span<const Vec3> normals, std::span<const Vec3> polygon) {
+    return std::ranges::any_of(normals, [&](const Vec3 &outward) {
+        return std::ranges::all_of(polygon, [&](const Vec3 &c) { return outward.dot(c - x) >= 0; });
+    });
+}
+
+bool behind(const PlaneFrame &plane, std::span<const Vec3> polygon) {
+    return std::ranges::all_of(polygon, [&](const Vec3 &c) { return plane.height(c) <= 1e-12; });
+}
+
+} // namespace
+
+Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point, Work &work) {
     const Surface &surface = scene.surface(id);
     Rgb irradiance = Rgb::Zero();
     if (is_covered(surface, point))
         return irradiance;
     const Vec3 x = surface.frame.to_space(point);
     std::vector<PairBlocker> others;
+    std::vector<Vec3> normals;
     VisibleScratch scratch;
-    Work work;
     for (int s = 0; s < scene.n_surfaces(); ++s) {
         const Surface &source = scene.surface(SurfaceId(s));
-        if (s == id.index || !scene.emits(SurfaceId(s)) || source.frame.height(x) <= 0)
+        if (s == id.index || !scene.emits(SurfaceId(s)) || source.frame.height(x) <= 0 ||
+            behind(surface.frame, source.corners))
             continue;
-        others.clear();
-        for (std::size_t b = 0; b < blockers.all().size(); ++b) {
-            const Blocker &blocker = blockers.all()[b];
-            const auto on = [&](const PlaneFrame &plane) {
-                return std::ranges::all_of(blocker.corners, [&](const Vec3 &c) { return plane.height(c) <= 1e-12; });
-            };
-            if (!on(surface.frame) && !on(source.frame)) // behind or in either plane nothing blocks
-                others.push_back({static_cast<int>(b), false});
-        }
-        scratch.hidden.cast(x, source.frame, blockers, others, work);
         for (const Polygon &part : source.parts) {
+            normals.clear();
+            for (std::size_t i = 0; i < part.size(); ++i)
+                normals.push_back((source.frame.to_space(part[i]) - x)
+                                      .cross(source.frame.to_space(part[(i + 1) % part.size()]) - x));
+            others.clear();
+            for (std::size_t b = 0; b < blockers.all().size(); ++b) {
+                const std::vector<Vec3> &corners = blockers.all()[b].corners;
+                // Behind or in either plane nothing blocks.
+                if (!behind(surface.frame, corners) && !behind(source.frame, corners) &&
+                    !outside_cone(x, normals, corners))
+                    others.push_back({static_cast<int>(b), false});
+            }
+            scratch.hidden.cast(x, source.frame, blockers, others, work);
             ConvexPieces whole, rest;
             whole.add(part);
             for (const Polygon &cover : source.covers) {
@@ -39,12 +62,20 @@ Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId id,
                 std::swap(whole, rest);
             }
             visible_part(x, surface.frame.normal, source.frame, whole, scratch.hidden, scratch);
+            work.kernel_evaluations += static_cast<std::int64_t>(scratch.pieces.size());
             for (std::size_t i = 0; i < scratch.pieces.size(); ++i)
                 irradiance += scene.exitance(SurfaceId(s)) *
                               lambert(x, surface.frame.normal, source.frame, scratch.pieces[i]);
         }
     }
-    return scene.exitance(id) + scene.reflectance(id) * irradiance;
+    return irradiance;
+}
+
+Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point) {
+    Work work;
+    if (is_covered(scene.surface(id), point))
+        return Rgb::Zero();
+    return scene.exitance(id) + scene.reflectance(id) * direct_irradiance(scene, blockers, id, point, work);
 }
 
 double direct_error(const Scene &scene, const Blockers &blockers, const Forest &forest, const Coefficients &radiosity) {

@@ -5,8 +5,11 @@
 
 namespace penumbra {
 
-/// B = E + rho sum over the emitters of E_S times Lambert's formula over what the point sees of S, at a point of a
-/// surface's plane [W/m2]. Independent of elements and links. Dark where the surface is covered.
+/// sum over the emitters of E_S times Lambert's formula over what the point sees of S, at a point of a surface's plane: the
+/// irradiance of light that was not reflected yet [W/m2]. Independent of elements and links. 0 where covered.
+Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point, Work &work);
+
+/// B = E + rho times that. Dark where the surface is covered.
 Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point);
 
 /// ||B_h - B|| / ||B - E|| in L2 over all reflecting surfaces and the three channels together, B the exact direct

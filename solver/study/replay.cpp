@@ -70,7 +70,7 @@ Forest mapped(const Forest &forest, const Scene &from, const Scene &to, const Si
 }
 
 void link_again(const Setting &setting, const State &decisions, State &state, const Cancel *cancel) {
-    Transport transport = setting.transport(cancel);
+    Transport transport = setting.transport(decisions.counters.threshold, cancel);
     transport.accuracy = transport.constant_accuracy = link_accuracy;
     state.interactions.resize(decisions.interactions.size());
     parallel_for(decisions.interactions.size(), [&](std::size_t e) {

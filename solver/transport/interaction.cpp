@@ -49,14 +49,22 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> Interaction::irradiance(const Forest &f
     return sum;
 }
 
-Rgb Interaction::largest_misfit(const Forest &forest, const Coefficients &radiosity) const {
-    if (links.empty() || links[0].misfit.rows() == 0)
-        return Rgb::Zero();
-    Eigen::Matrix<double, Eigen::Dynamic, 3> sum =
-        Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(links[0].misfit.rows(), 3);
+Eigen::Matrix<double, Eigen::Dynamic, 3> Interaction::misfits(const Forest &forest, const Coefficients &radiosity) const {
+    Eigen::Matrix<double, Eigen::Dynamic, 3> sum(links.empty() ? 0 : links[0].misfit.rows(), 3);
+    sum.setZero();
     for (const Link &link : links)
         sum += link.misfit * radiosity_of(forest, link, radiosity);
-    return sum.cwiseAbs().colwise().maxCoeff().transpose().array();
+    return sum;
+}
+
+Rgb Interaction::largest_misfit(const Forest &forest, const Coefficients &radiosity) const {
+    const auto all = misfits(forest, radiosity);
+    return all.rows() == 0 ? Rgb(Rgb::Zero()) : Rgb(all.cwiseAbs().colwise().maxCoeff().transpose().array());
+}
+
+Rgb Interaction::mean_square_misfit(const Forest &forest, const Coefficients &radiosity) const {
+    const auto all = misfits(forest, radiosity);
+    return all.rows() == 0 ? Rgb(Rgb::Zero()) : Rgb(all.array().square().colwise().mean().transpose());
 }
 
 double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source) {

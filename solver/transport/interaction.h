@@ -41,6 +41,12 @@ struct Interaction {
     Eigen::Matrix<double, Eigen::Dynamic, 3> irradiance(const Forest &forest, const Coefficients &radiosity) const;
     /// Largest |T_S - fit| over the test points for each channel [W/m2, before reflection].
     Rgb largest_misfit(const Forest &forest, const Coefficients &radiosity) const;
+    /// The mean of (T_S - fit)^2 over them, all counting the same: borders and shadows, where they are dense, weigh more
+    /// than their area.
+    Rgb mean_square_misfit(const Forest &forest, const Coefficients &radiosity) const;
+
+private:
+    Eigen::Matrix<double, Eigen::Dynamic, 3> misfits(const Forest &forest, const Coefficients &radiosity) const;
 };
 
 /// What stays the same while links are made.

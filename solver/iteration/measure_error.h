@@ -1,0 +1,15 @@
+// The error of the present state, independent of its links.
+#pragma once
+
+#include "iteration/state.h"
+#include "measure/error_estimate.h"
+
+namespace penumbra {
+
+/// Residuals at fresh points (measure/residual.h), batch upon batch until the estimate's spread is within about a sixth of
+/// it, or both its limit lies below a third of `goal` (a relative L2 error) or its value far above; at most 2^15 points.
+/// K (I - K)^-1 r is one gather over the links of c = (I - A)^-1 mean r, constants on the surfaces (coarse_correction.h).
+ErrorEstimate measure_error(const Setting &setting, const State &state, double goal, std::uint64_t seed,
+                            const Cancel *cancel, Work &work);
+
+} // namespace penumbra

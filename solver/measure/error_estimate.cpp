@@ -1,0 +1,87 @@
+#include "measure/error_estimate.h"
+
+#include "core/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace penumbra {
+
+namespace {
+
+/// The 95 % quantile of Student's t with n degrees of freedom (the last entry serves all beyond).
+double student_t(std::size_t n) {
+    constexpr std::array table{6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812,
+                               1.796, 1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729, 1.725};
+    return table[std::clamp<std::size_t>(n, 1, table.size()) - 1];
+}
+
+/// Mean of the batches' sums, and the limit above it.
+struct Limited {
+    double mean = 0, upper = 0;
+
+    explicit Limited(const std::vector<double> &sums) {
+        const double n = static_cast<double>(sums.size());
+        for (const double s : sums)
+            mean += s / n;
+        double variance = 0;
+        for (const double s : sums)
+            variance += (s - mean) * (s - mean) / (n - 1);
+        upper = mean + student_t(sums.size() - 1) * std::sqrt(variance / n);
+    }
+};
+
+double root(double x) { return std::sqrt(std::max(0.0, x)); }
+
+} // namespace
+
+double reflected_square(const Scene &scene, const Forest &forest, const Coefficients &radiosity) {
+    double sum = 0;
+    for (const Element &e : forest.elements) {
+        if (!e.leaf() || !scene.reflects(e.surface))
+            continue;
+        const auto b = radiosity.middleRows(e.first, e.basis.n_functions());
+        for (const QuadraturePoint &q : e.basis.quadrature(e.basis.order() + 1))
+            if (!is_covered(scene.surface(e.surface), q.position)) {
+                const Rgb value = (e.basis.evaluate(q).transpose() * b).transpose().array();
+                sum += q.area * (value - scene.exitance(e.surface)).square().sum();
+            }
+    }
+    return sum;
+}
+
+ErrorEstimate estimate_error(std::span<const std::vector<ResidualPoint>> batches,
+                             std::span<const std::vector<Rgb>> correction, double reflected_square,
+                             double largest_reflectance) {
+    PENUMBRA_CHECK(batches.size(), >, 1u);
+    PENUMBRA_CHECK(batches.size(), ==, correction.size());
+    ErrorEstimate out;
+    std::vector<double> errors, residuals;
+    double noise = 0;
+    for (std::size_t b = 0; b < batches.size(); ++b) {
+        double error = 0, residual = 0;
+        for (std::size_t k = 0; k < batches[b].size(); ++k) {
+            const ResidualPoint &p = batches[b][k];
+            const Rgb &more = correction[b][k];
+            error += p.area * ((p.first + more) * (p.second + more)).sum();
+            residual += p.area * (p.first * p.second).sum();
+            noise += p.area * 0.5 * (p.first - p.second).square().sum();
+        }
+        errors.push_back(error);
+        residuals.push_back(residual);
+        out.n_points += static_cast<int>(batches[b].size());
+    }
+    if (!(reflected_square > 0))
+        return out;
+    const Limited e(errors), r(residuals);
+    const double scale = std::sqrt(reflected_square);
+    out.error = root(e.mean) / scale;
+    out.upper = root(e.upper) / scale;
+    out.residual = root(r.mean) / scale;
+    out.bound = root(r.upper) / scale / (1 - largest_reflectance);
+    out.noise = root(noise / static_cast<double>(batches.size())) / scale;
+    return out;
+}
+
+} // namespace penumbra
