@@ -20,6 +20,7 @@ struct Command {
 
 // A file each in commands/.
 Command add_check(CLI::App &root);
+Command add_cost(CLI::App &root);
 Command add_curves(CLI::App &root);
 Command add_paper(CLI::App &root);
 Command add_render(CLI::App &root);

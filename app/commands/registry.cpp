@@ -8,7 +8,7 @@ std::vector<Command> add_commands(CLI::App &root) {
         add_solve(root),
         add_render(root),
         add_paper(root),
-        add_pending(root, "cost", "What accuracy costs: error against seconds, patches and coefficients"),
+        add_cost(root),
         add_curves(root),
         add_check(root),
         add_scenes(root),

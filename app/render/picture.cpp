@@ -1,6 +1,7 @@
 #include "render/picture.h"
 
 #include "core/error.h"
+#include "gl/bound_framebuffer.h"
 #include "gl/context_lost.h"
 #include "gl/framebuffer.h"
 #include "render/event_note.h"
@@ -52,19 +53,6 @@ Layout layout(const PictureSpec &spec, const TextSizes &sizes) {
     result.legend = {0, spec.height - sizes.legend, spec.width, sizes.legend};
     return result;
 }
-
-/// Restores what a window drew into before.
-struct BoundFramebuffer {
-    GLint draw = 0, read = 0;
-    BoundFramebuffer() {
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
-        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
-    }
-    ~BoundFramebuffer() {
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
-    }
-};
 
 bool have_same_footnote(const PictureSpec &spec) {
     for (const PicturePane &pane : spec.panes)
@@ -129,7 +117,7 @@ double pane_aspect(const PictureSpec &spec) {
 }
 
 Image draw_picture(const PictureSpec &spec) {
-    const BoundFramebuffer before;
+    const gl::BoundFramebuffer before;
     std::vector<const Snapshot *> snapshots;
     for (const PicturePane &pane : spec.panes)
         snapshots.push_back(pane.snapshot.get());

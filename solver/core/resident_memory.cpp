@@ -3,6 +3,9 @@
 #include <cstdio>
 #include <memory>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace penumbra {
 
@@ -12,6 +15,12 @@ double resident_mib() {
     if (!file || std::fscanf(file.get(), "%llu %llu", &whole, &resident) != 2)
         return 0;
     return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+void give_back_memory() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
 }
 
 } // namespace penumbra

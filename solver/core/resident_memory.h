@@ -7,4 +7,7 @@ namespace penumbra {
 /// where the system does not tell. Takes some microseconds.
 double resident_mib();
 
+/// Gives memory that was freed back to the system, where the C library can (glibc): else it counts as resident on.
+void give_back_memory();
+
 } // namespace penumbra

@@ -76,7 +76,10 @@ TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
         EXPECT_EQ(result.status, 2) << option;
         EXPECT_THAT(result.err, HasSubstr("still to come")) << option;
     }
-    EXPECT_EQ(run("cost figure-4 -o x").status, 2);
+    const Result result = run("cost stairs -o x");
+    EXPECT_EQ(result.status, 2) << "no reference for more than one bounce";
+    EXPECT_THAT(result.err, HasSubstr("still to come"));
+    EXPECT_FALSE(fs::exists(folder / "x"));
 }
 
 TEST_F(CommandLine, CheckSaysWhatHoldsAndWhatFails) {

@@ -1,0 +1,186 @@
+#include "capture.h"
+#include "commands/command.h"
+#include "commands/interrupt.h"
+#include "commands/solving_options.h"
+#include "commands/terminal.h"
+#include "core/atomic_write.h"
+#include "core/error.h"
+#include "core/machine.h"
+#include "core/parallel.h"
+#include "files/cost_table.h"
+#include "plot/cost_sheet.h"
+#include "plot/plot_picture.h"
+#include "plot/svg_canvas.h"
+#include "window/offscreen.h"
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace penumbra {
+
+namespace {
+
+constexpr int sheet_width = 2000, sheet_height = 860; ///< pixels
+constexpr float sheet_text = 20;
+
+struct CostOptions {
+    SolvingOptions solving;
+    CommonOptions common;
+    CostRange range;
+};
+
+void make_folder(const std::filesystem::path &folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Unavailable("cannot make the folder " + folder.string() + ": " + error.message());
+}
+
+std::string in_words(const CostPoint &p) {
+    return std::string(name(p.options.strategy)) + ", " + std::string(name(p.options.basis));
+}
+
+/// A bar on a terminal; with -v a line for each run anywhere.
+void show(const CommonOptions &common, const CostPoint &p, int done, int all) {
+    if (common.quiet)
+        return;
+    if (common.verbose) {
+        std::fprintf(stderr, "%d of %d: %s, threshold %g: %s, %.3g s, %d patches", done, all, in_words(p).c_str(),
+                     p.options.threshold, std::string(name(p.end)).c_str(), p.seconds.back(), p.counters.patches);
+        std::fprintf(stderr, p.error >= 0 ? ", error %.3g %%\n" : "\n", 100 * p.error);
+    } else if (error_is_terminal()) {
+        constexpr int width = 30;
+        std::string bar(width, '.');
+        std::fill_n(bar.begin(), width * done / std::max(1, all), '#');
+        std::fprintf(stderr, "\r\033[K[%s] %d of %d runs, %s", bar.c_str(), done, all, in_words(p).c_str());
+        std::fflush(stderr);
+    }
+}
+
+void write(const CostStudy &study, const std::filesystem::path &folder) {
+    const PlotLook look{sheet_text, Theme::light};
+    const glm::vec2 size(sheet_width, sheet_height);
+    write_atomically(folder / "cost.csv", cost_csv(study));
+    SvgCanvas svg(size.x, size.y);
+    svg.fill({{0, 0}, size}, background_colour(look.theme));
+    draw_cost_sheet(svg, size, study, look);
+    write_atomically(folder / "cost.svg", svg.file());
+    write_png(folder / "cost.png",
+              draw_plot_picture(sheet_width, sheet_height, sheet_text, look.theme,
+                                [&](Canvas &canvas) { draw_cost_sheet(canvas, size, study, look); }));
+}
+
+/// Whether a curve has no point at all.
+bool lacks_a_curve(const CostStudy &study) {
+    return std::ranges::any_of(study.points, [&](const CostPoint &p) {
+        return std::ranges::none_of(study.points, [&](const CostPoint &q) {
+            return q.done() && q.options.strategy == p.options.strategy && q.options.basis == p.options.basis;
+        });
+    });
+}
+
+int run(const CostOptions &options) {
+    const std::filesystem::path folder = options.common.output;
+    const auto scene = std::make_shared<const Scene>(open_scene(options.solving, options.common));
+    const TrueError error = error_against_direct_light(scene);
+    if (!error) {
+        complain("in " + scene->name + " light is reflected more than once: a reference for its error is still to "
+                 "come; scenes with one bounce, as slanted-edge and figure-4, have one");
+        return wrong_use;
+    }
+    make_folder(folder);
+    const Offscreen context; // better known to be missing now than after the runs
+    set_threads(options.solving.options.threads);
+    const Interrupt interrupt;
+    const RunLimits limits{options.solving.limits.seconds, options.solving.limits.memory_mib};
+
+    CostRange range = options.range;
+    range.options = options.solving.options;
+    CostStudy study{scene->name, cpu_model(), n_cores(), threads(), range.repeats, limits, {}};
+    study.points =
+        measure_cost(range, solving_runner(scene, error, limits, interrupt.cancel()),
+                     [&](const CostPoint &p, int done, int all) { show(options.common, p, done, all); });
+    if (!options.common.quiet && !options.common.verbose && error_is_terminal())
+        std::fputs("\r\033[K", stderr);
+    for (const CostPoint &p : study.points)
+        if (p.end == RunEnd::failed)
+            complain(in_words(p) + " failed: " + p.trouble);
+    const bool something = std::ranges::any_of(study.points, &CostPoint::done);
+    if (something || interrupt.exit_status() == done)
+        write(study, folder);
+    if (const int status = interrupt.exit_status(); status != done) {
+        complain(interrupt.sentence() + (something ? "; what was complete is written" : "; nothing was written"));
+        return status;
+    }
+    if (lacks_a_curve(study)) {
+        complain("for a strategy not even the loosest threshold was brought to an end; raise --time-limit or "
+                 "--memory-limit");
+        return not_reached;
+    }
+    return done;
+}
+
+template <class T, class Named>
+std::vector<T> from_names(const std::vector<std::string> &names, const Named &named) {
+    std::vector<T> all;
+    for (const std::string &text : names)
+        if (const auto found = named(text); found && std::ranges::find(all, *found) == all.end())
+            all.push_back(*found);
+    return all;
+}
+
+} // namespace
+
+Command add_cost(CLI::App &root) {
+    CLI::App *parser = root.add_subcommand(
+        "cost", "What accuracy costs: the true error against seconds, patches, coefficients and kernel evaluations");
+    const auto options = std::make_shared<CostOptions>();
+    SolvingOptions &solving = options->solving;
+    CostRange &range = options->range;
+    range.thresholds = {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002};
+    solving.options.max_depth = 12;
+    solving.limits.seconds = 2;
+    add_scene_options(*parser, solving);
+    add_solving_options(*parser, solving);
+    for (const char *one : {"--strategy", "--basis", "--threshold", "--time-limit", "--memory-limit"})
+        parser->remove_option(parser->get_option(one));
+    parser->add_option("--thresholds", range.thresholds, "Of the oracle, commas between; each is solved for")
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    parser->add_option("--repeats", range.repeats, "Times that each solution is made")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    parser
+        ->add_option_function<std::vector<std::string>>(
+            "--strategies",
+            [&range](const std::vector<std::string> &names) { range.strategies = from_names<Strategy>(names, strategy_from_name); },
+            "Names with commas between; all four unless given")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"uniform-constant", "discontinuity-constant", "uniform-wavelet", "discontinuity-wavelet"}));
+    parser
+        ->add_option_function<std::vector<std::string>>(
+            "--bases",
+            [&range](const std::vector<std::string> &names) { range.bases = from_names<BasisFamily>(names, basis_family_from_name); },
+            "parametric,planar unless given")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"parametric", "planar"}));
+    parser->add_option("--time-limit", solving.limits.seconds, "Seconds of one run, beyond which it is stopped and recorded as such")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    parser->add_option("--memory-limit", solving.limits.memory_mib, "MiB of resident memory, beyond which a run is stopped and recorded as such")
+        ->check(CLI::PositiveNumber);
+    add_common_options(*parser, options->common,
+                       "The folder that cost.csv, cost.png and cost.svg are written to; made when it is missing");
+    parser->get_option("--output")->required();
+    return {parser, [=] { return run(*options); }};
+}
+
+} // namespace penumbra

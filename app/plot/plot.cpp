@@ -1,0 +1,169 @@
+#include "plot/plot.h"
+
+#include "plot/label_places.h"
+
+#include <algorithm>
+
+namespace penumbra {
+
+namespace {
+
+/// From values to the page.
+struct Page {
+    PlotBox box;
+    const Plot &plot;
+
+    float x(double value) const { return box.low.x + static_cast<float>(plot.x.place(value)) * box.width(); }
+    float y(double value) const { return box.high.y - static_cast<float>(plot.y.place(value)) * box.height(); }
+    glm::vec2 at(const PlotMark &m) const { return {x(m.x), y(m.y)}; }
+    glm::vec2 at_stopped(double value) const {
+        return {box.high.x, value > 0 ? std::clamp(y(value), box.low.y, box.high.y) : box.low.y};
+    }
+};
+
+struct Pen {
+    Canvas &canvas;
+    const PlotLook &look;
+    float em = look.text;
+
+    PlotStroke stroke(const glm::vec4 &colour, float width, float dash = 0) const {
+        return {colour, width * em, dash * em};
+    }
+    PlotText text(TextAlign align, float opacity = 0.85f) const {
+        return {em, plot_ink(look.theme, opacity), align, false};
+    }
+};
+
+int labels_in(float length, float each) { return std::max(2, static_cast<int>(length / each)); }
+
+void draw_axes(const Pen &pen, const Page &page) {
+    const PlotBox &box = page.box;
+    const float em = pen.em;
+    const auto grid = [&](const Tick &t) { return pen.stroke(plot_ink(pen.look.theme, t.major ? 0.16f : 0.06f), 0.06f); };
+    for (const Tick &t : ticks(page.plot.x, labels_in(box.width(), 4.5f * em))) {
+        const float x = page.x(t.value);
+        pen.canvas.line({x, box.low.y}, {x, box.high.y}, grid(t));
+        pen.canvas.text({x, box.high.y + 0.9f * em}, t.label, pen.text(TextAlign::centre));
+    }
+    for (const Tick &t : ticks(page.plot.y, labels_in(box.height(), 1.8f * em))) {
+        const float y = page.y(t.value);
+        pen.canvas.line({box.low.x, y}, {box.high.x, y}, grid(t));
+        if (page.plot.y_words)
+            pen.canvas.text({box.low.x - 0.5f * em, y}, t.label, pen.text(TextAlign::right));
+    }
+    const PlotStroke axis = pen.stroke(plot_ink(pen.look.theme, 0.7f), 0.08f);
+    pen.canvas.line({box.low.x, box.low.y}, {box.low.x, box.high.y}, axis);
+    pen.canvas.line({box.low.x, box.high.y}, {box.high.x, box.high.y}, axis);
+    PlotText title = pen.text(TextAlign::centre, 1);
+    pen.canvas.text({(box.low.x + box.high.x) / 2, box.high.y + 2.3f * em}, page.plot.x_title, title);
+    title.align = TextAlign::left;
+    if (page.plot.y_words)
+        pen.canvas.text({box.low.x - 4.2f * em, box.low.y - 1.1f * em}, page.plot.y_title, title);
+}
+
+void draw_curve(const Pen &pen, const Page &page, const PlotCurve &curve) {
+    std::vector<glm::vec2> line;
+    for (const PlotMark &m : curve.marks)
+        line.push_back(page.at(m));
+    if (line.size() > 1)
+        pen.canvas.polyline(line, pen.stroke(curve.colour, 0.11f, curve.dashed ? 0.45f : 0));
+    const PlotStroke thin = pen.stroke(curve.colour, 0.08f);
+    for (const PlotMark &m : curve.marks) {
+        const glm::vec2 at = page.at(m);
+        if (m.x_high > m.x_low && m.x_low > 0) {
+            const float low = page.x(m.x_low), high = page.x(m.x_high), cap = 0.22f * pen.em;
+            pen.canvas.line({low, at.y}, {high, at.y}, thin);
+            pen.canvas.line({low, at.y - cap}, {low, at.y + cap}, thin);
+            pen.canvas.line({high, at.y - cap}, {high, at.y + cap}, thin);
+        }
+        glm::vec4 ground = background_colour(pen.look.theme);
+        pen.canvas.marker(at, curve.marker, 0.28f * pen.em, thin, m.hollow ? ground : curve.colour);
+        if (m.ringed)
+            pen.canvas.marker(at, PlotMarker::circle, 0.62f * pen.em, pen.stroke(plot_ink(pen.look.theme), 0.1f),
+                              glm::vec4(0));
+    }
+    for (const double y : curve.stopped)
+        pen.canvas.marker(page.at_stopped(y), PlotMarker::cross, 0.36f * pen.em, pen.stroke(curve.colour, 0.16f),
+                          glm::vec4(0));
+}
+
+/// What labels should not cover: marks, crosses, and points along the curves.
+std::vector<glm::vec2> taken_points(const Page &page) {
+    std::vector<glm::vec2> taken;
+    for (const PlotCurve &curve : page.plot.curves) {
+        for (std::size_t i = 0; i < curve.marks.size(); ++i) {
+            const glm::vec2 b = page.at(curve.marks[i]), a = i > 0 ? page.at(curve.marks[i - 1]) : b;
+            constexpr int n = 12;
+            for (int k = 1; k <= n; ++k)
+                taken.push_back(glm::mix(a, b, static_cast<float>(k) / n));
+        }
+        for (const double y : curve.stopped)
+            taken.push_back(page.at_stopped(y));
+    }
+    return taken;
+}
+
+void draw_labels(const Pen &pen, const Page &page) {
+    std::vector<LabelWish> wishes;
+    for (const PlotCurve &curve : page.plot.curves) {
+        LabelWish wish;
+        for (const PlotMark &m : curve.marks)
+            wish.anchors.push_back(page.at(m));
+        if (curve.marks.empty() && !curve.stopped.empty())
+            wish.anchors.push_back(page.at_stopped(curve.stopped.front()));
+        if (!curve.label.empty())
+            wish.width = pen.canvas.text_width(curve.label, pen.text(TextAlign::left)) + 0.3f * pen.em;
+        wishes.push_back(std::move(wish));
+    }
+    const std::vector<PlotBox> boxes = place_labels(page.box, wishes, taken_points(page), 1.15f * pen.em);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const PlotBox &b = boxes[i];
+        if (b.width() <= 0)
+            continue;
+        glm::vec4 ground = background_colour(pen.look.theme);
+        ground.a = 0.75f;
+        pen.canvas.fill(b, ground);
+        pen.canvas.text((b.low + b.high) / 2.f, page.plot.curves[i].label,
+                        {pen.em, page.plot.curves[i].colour, TextAlign::centre, true});
+    }
+}
+
+} // namespace
+
+glm::vec4 plot_ink(Theme theme, float opacity) {
+    return theme == Theme::dark ? glm::vec4(0.93f, 0.94f, 0.96f, opacity) : glm::vec4(0.07f, 0.08f, 0.1f, opacity);
+}
+
+PlotBox inside_axes(const PlotBox &box, const Plot &plot, const PlotLook &look) {
+    const float em = look.text;
+    return {box.low + glm::vec2((plot.y_words ? 4.4f : 0.8f) * em, 2 * em), box.high - glm::vec2(0.8f * em, 3.2f * em)};
+}
+
+std::vector<PlacedMark> draw_plot(Canvas &canvas, const PlotBox &box, const Plot &plot, const PlotLook &look) {
+    const Page page{inside_axes(box, plot, look), plot};
+    const Pen pen{canvas, look};
+    draw_axes(pen, page);
+    std::vector<PlacedMark> placed;
+    for (std::size_t c = 0; c < plot.curves.size(); ++c) {
+        const PlotCurve &curve = plot.curves[c];
+        draw_curve(pen, page, curve);
+        for (std::size_t i = 0; i < curve.marks.size(); ++i)
+            placed.push_back({c, i, false, page.at(curve.marks[i])});
+        for (std::size_t i = 0; i < curve.stopped.size(); ++i)
+            placed.push_back({c, i, true, page.at_stopped(curve.stopped[i])});
+    }
+    draw_labels(pen, page);
+    return placed;
+}
+
+const PlacedMark *mark_near(const std::vector<PlacedMark> &marks, glm::vec2 at, float reach) {
+    const PlacedMark *nearest = nullptr;
+    for (const PlacedMark &m : marks)
+        if (const float d = glm::distance(m.at, at); d <= reach) {
+            reach = d;
+            nearest = &m;
+        }
+    return nearest;
+}
+
+} // namespace penumbra
