@@ -8,6 +8,8 @@
 #include "core/machine.h"
 #include "core/parallel.h"
 #include "files/cost_table.h"
+#include "files/saved_state.h"
+#include "files/write_state.h"
 #include "plot/cost_sheet.h"
 #include "plot/plot_picture.h"
 #include "plot/svg_canvas.h"
@@ -64,7 +66,27 @@ void show(const CommonOptions &common, const CostPoint &p, int done, int all) {
     }
 }
 
-void write(const CostStudy &study, const std::filesystem::path &folder) {
+/// The strategies side by side at the finest threshold that all of them have come to, for whoever opens the picture.
+SavedState state_of(const CostStudy &study, const CostRange &range, const Scene &scene,
+                    const std::filesystem::path &folder) {
+    SavedState saved;
+    saved.scene = scene.name;
+    saved.file = place_of(scene, folder);
+    saved.up = up_axis(scene);
+    saved.options = range.options;
+    saved.options.basis = range.bases.front();
+    saved.options.threshold = *std::ranges::max_element(range.thresholds);
+    for (const double threshold : range.thresholds)
+        if (threshold < saved.options.threshold && std::ranges::none_of(study.points, [&](const CostPoint &p) {
+                return p.options.threshold == threshold && !p.done();
+            }))
+            saved.options.threshold = threshold;
+    saved.strategies = range.strategies;
+    saved.options.strategy = saved.strategies.front();
+    return saved;
+}
+
+void write(const CostStudy &study, const SavedState &state, const std::filesystem::path &folder) {
     const PlotLook look{sheet_text, Theme::light};
     const glm::vec2 size(sheet_width, sheet_height);
     write_atomically(folder / "cost.csv", cost_csv(study));
@@ -74,7 +96,8 @@ void write(const CostStudy &study, const std::filesystem::path &folder) {
     write_atomically(folder / "cost.svg", svg.file());
     write_png(folder / "cost.png",
               draw_plot_picture(sheet_width, sheet_height, sheet_text, look.theme,
-                                [&](Canvas &canvas) { draw_cost_sheet(canvas, size, study, look); }));
+                                [&](Canvas &canvas) { draw_cost_sheet(canvas, size, study, look); }),
+              state_text(state));
 }
 
 /// Whether a curve has no point at all.
@@ -103,7 +126,7 @@ int run(const CostOptions &options) {
 
     CostRange range = options.range;
     range.options = options.solving.options;
-    CostStudy study{scene->name, cpu_model(), n_cores(), threads(), range.repeats, limits, {}};
+    CostStudy study{scene->name, cpu_model(), n_cores(), threads(), PENUMBRA_VERSION, range.repeats, limits, {}};
     study.points =
         measure_cost(range, solving_runner(scene, error, limits, interrupt.cancel()),
                      [&](const CostPoint &p, int done, int all) { show(options.common, p, done, all); });
@@ -114,7 +137,7 @@ int run(const CostOptions &options) {
             complain(in_words(p) + " failed: " + p.trouble);
     const bool something = std::ranges::any_of(study.points, &CostPoint::done);
     if (something || interrupt.exit_status() == done)
-        write(study, folder);
+        write(study, state_of(study, range, *scene, folder), folder);
     if (const int status = interrupt.exit_status(); status != done) {
         complain(interrupt.sentence() + (something ? "; what was complete is written" : "; nothing was written"));
         return status;

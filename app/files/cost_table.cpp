@@ -43,7 +43,7 @@ std::string cost_csv(const CostStudy &study) {
         csv += fmt::format("{},{},{},{:.6g},{},{},{},{},{},{},{},{},{},{}\n", name(p.options.strategy),
                            name(p.options.basis), p.options.effective_order(), p.options.threshold,
                            p.options.max_depth, name(p.end), p.n_runs(), seconds_fields(p), counter_fields(p),
-                           quoted(study.scene), quoted(study.cpu), study.cores, study.threads, PENUMBRA_VERSION);
+                           quoted(study.scene), quoted(study.cpu), study.cores, study.threads, study.version);
     return csv;
 }
 

@@ -13,6 +13,7 @@ struct CostStudy {
     std::string scene;
     std::string cpu; ///< empty: not known
     int cores = 1, threads = 1;
+    std::string version; ///< of the program
     int repeats = 1; ///< asked for
     RunLimits limits;
     std::vector<CostPoint> points;

@@ -138,7 +138,7 @@ std::vector<std::string> cost_notes(const CostStudy &study) {
     }
     notes.push_back(fmt::format("{}; {}{} of {}; Penumbra {}", study.scene, study.cpu.empty() ? "" : study.cpu + ", ",
                                 counted(study.threads, "thread", "threads"), counted(study.cores, "core", "cores"),
-                                PENUMBRA_VERSION));
+                                study.version));
     return notes;
 }
 

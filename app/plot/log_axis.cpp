@@ -64,9 +64,12 @@ std::vector<Tick> ticks(const LogAxis &axis, int most_labels) {
     const auto inside = [&](double v) { return v >= axis.low * (1 - rounding) && v <= axis.high * (1 + rounding); };
     const int first = static_cast<int>(std::floor(std::log10(axis.low))) - 1;
     const int last = static_cast<int>(std::ceil(std::log10(axis.high))) + 1;
-    int n_decades = 0;
-    for (int k = first; k <= last; ++k)
+    int n_decades = 0, n_between = 0; // of these, and of 2 and 5 times these
+    for (int k = first; k <= last; ++k) {
         n_decades += inside(std::pow(10, k));
+        n_between += inside(2 * std::pow(10, k)) + inside(5 * std::pow(10, k));
+    }
+    const bool between = n_decades <= 2 && n_decades + n_between <= most_labels;
     const int every = std::max(1, (n_decades + most_labels - 1) / most_labels);
     std::vector<Tick> all;
     for (int k = first; k <= last; ++k)
@@ -74,7 +77,7 @@ std::vector<Tick> ticks(const LogAxis &axis, int most_labels) {
             const double value = m * std::pow(10, k);
             if (!inside(value))
                 continue;
-            const bool labelled = m == 1 ? k % every == 0 : n_decades <= 2 && (m == 2 || m == 5);
+            const bool labelled = m == 1 ? k % every == 0 : between && (m == 2 || m == 5);
             all.push_back({value, m == 1, labelled ? tick_words(value, axis.unit) : ""});
         }
     return all;

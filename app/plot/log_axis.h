@@ -38,7 +38,8 @@ struct Tick {
 };
 
 /// All m·10^k in the range, m = 1 to 9, in ascending order. Powers of ten are labelled, every second or third one where
-/// more than `most_labels` fall into the range; where only two or fewer do, 2·10^k and 5·10^k are labelled, too.
+/// more than `most_labels` fall into the range; where two or fewer do, 2·10^k and 5·10^k are labelled, too, if all of
+/// these are no more than `most_labels`.
 std::vector<Tick> ticks(const LogAxis &axis, int most_labels = 6);
 
 /// "1000", "10⁴", "2·10⁵"; "20 ms", "1 s"; "0.01 %". For m·10^k with one digit m.

@@ -32,6 +32,7 @@ struct Pen {
     PlotText text(TextAlign align, float opacity = 0.85f) const {
         return {em, plot_ink(look.theme, opacity), align, false};
     }
+    PlotText label(const PlotCurve &curve) const { return {em, curve.colour, TextAlign::centre, true}; }
 };
 
 int labels_in(float length, float each) { return std::max(2, static_cast<int>(length / each)); }
@@ -62,9 +63,10 @@ void draw_axes(const Pen &pen, const Page &page) {
 }
 
 void draw_curve(const Pen &pen, const Page &page, const PlotCurve &curve) {
-    std::vector<glm::vec2> line;
+    std::vector<glm::vec2> line; // a piece without length has no direction, which some back ends need
     for (const PlotMark &m : curve.marks)
-        line.push_back(page.at(m));
+        if (const glm::vec2 p = page.at(m); line.empty() || glm::distance(line.back(), p) > 0.01f)
+            line.push_back(p);
     if (line.size() > 1)
         pen.canvas.polyline(line, pen.stroke(curve.colour, 0.11f, curve.dashed ? 0.45f : 0));
     const PlotStroke thin = pen.stroke(curve.colour, 0.08f);
@@ -112,7 +114,7 @@ void draw_labels(const Pen &pen, const Page &page) {
         if (curve.marks.empty() && !curve.stopped.empty())
             wish.anchors.push_back(page.at_stopped(curve.stopped.front()));
         if (!curve.label.empty())
-            wish.width = pen.canvas.text_width(curve.label, pen.text(TextAlign::left)) + 0.3f * pen.em;
+            wish.width = pen.canvas.text_width(curve.label, pen.label(curve)) + 0.3f * pen.em;
         wishes.push_back(std::move(wish));
     }
     const std::vector<PlotBox> boxes = place_labels(page.box, wishes, taken_points(page), 1.15f * pen.em);
@@ -123,8 +125,7 @@ void draw_labels(const Pen &pen, const Page &page) {
         glm::vec4 ground = background_colour(pen.look.theme);
         ground.a = 0.75f;
         pen.canvas.fill(b, ground);
-        pen.canvas.text((b.low + b.high) / 2.f, page.plot.curves[i].label,
-                        {pen.em, page.plot.curves[i].colour, TextAlign::centre, true});
+        pen.canvas.text((b.low + b.high) / 2.f, page.plot.curves[i].label, pen.label(page.plot.curves[i]));
     }
 }
 

@@ -6,20 +6,18 @@ namespace penumbra {
 
 namespace {
 
-constexpr std::array<std::array<int, 3>, 4> bright{{
-    {0x44, 0x77, 0xaa}, // blue
-    {0xee, 0x66, 0x77}, // red
-    {0x22, 0x88, 0x33}, // green
-    {0xaa, 0x33, 0x77}, // purple
+/// 0xrrggbb, by theme and strategy: blue, yellow, magenta, violet.
+constexpr std::array<std::array<unsigned, 4>, 2> colours{{
+    {0x5c8af0, 0xe5dc6a, 0xf0609f, 0xc4b5ff}, // on the dark ground
+    {0x5a86f0, 0x94942e, 0xdc267f, 0x332288}, // on paper
 }};
 
 } // namespace
 
 glm::vec4 strategy_colour(Strategy strategy, Theme theme) {
-    const auto &c = bright[static_cast<std::size_t>(strategy)];
-    const glm::vec4 colour(static_cast<float>(c[0]) / 255, static_cast<float>(c[1]) / 255,
-                           static_cast<float>(c[2]) / 255, 1);
-    return theme == Theme::light ? colour : glm::mix(colour, glm::vec4(1), 0.35f); // on a dark ground
+    const unsigned c = colours[static_cast<std::size_t>(theme)][static_cast<std::size_t>(strategy)];
+    const auto channel = [&](unsigned shift) { return static_cast<float>((c >> shift) & 0xffU) / 255; };
+    return {channel(16), channel(8), channel(0), 1};
 }
 
 PlotMarker strategy_marker(Strategy strategy) {

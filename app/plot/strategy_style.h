@@ -9,7 +9,7 @@
 
 namespace penumbra {
 
-/// Tol's bright colours (Tol 2021): told apart by colour-blind people, and none of them is a curve kind's. sRGB.
+/// Told apart with each kind of colour blindness (tests/plot/colours_test.cpp simulates them). sRGB.
 glm::vec4 strategy_colour(Strategy strategy, Theme theme);
 PlotMarker strategy_marker(Strategy strategy);
 /// "(d) cut, M = 4"; for labels that stand in a plot.

@@ -15,6 +15,9 @@ std::string escaped(const std::string &text) {
     return out;
 }
 
+/// ImGui's text heights are from the highest to the lowest letter, SVG's are the em.
+constexpr float em_of_height = 0.86f;
+
 int byte(float channel) { return static_cast<int>(std::lround(255 * std::clamp(channel, 0.f, 1.f))); }
 
 /// fill="#aabbcc", with an opacity where it is not whole.
@@ -68,14 +71,14 @@ void SvgCanvas::marker(glm::vec2 at, PlotMarker shape, float radius, const PlotS
 void SvgCanvas::text(glm::vec2 at, const std::string &words, const PlotText &style) {
     constexpr const char *anchors[] = {"start", "middle", "end"};
     body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" text-anchor=\"{}\"{} {}>{}</text>\n",
-                         at.x, at.y + 0.36f * style.size, style.size, anchors[static_cast<int>(style.align)],
+                         at.x, at.y + 0.31f * style.size, em_of_height * style.size, anchors[static_cast<int>(style.align)],
                          style.bold ? " font-weight=\"bold\"" : "", paint("fill", style.colour), escaped(words));
 }
 
 float SvgCanvas::text_width(const std::string &words, const PlotText &style) const {
-    // DejaVu Sans' letters are 0.6 of the text height wide in the mean. Bytes that go on with a letter do not count.
+    // DejaVu Sans' letters are 0.6 em wide in the mean. Bytes that go on with a letter do not count.
     const auto n = std::ranges::count_if(words, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
-    return (style.bold ? 0.68f : 0.6f) * 0.9f * style.size * static_cast<float>(n);
+    return (style.bold ? 0.68f : 0.6f) * em_of_height * style.size * static_cast<float>(n);
 }
 
 void SvgCanvas::clip(const PlotBox &box) {

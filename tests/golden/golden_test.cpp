@@ -1,5 +1,5 @@
-// Pictures of synthetic snapshots against baselines that somebody looked at. A missing baseline is a failure. To make
-// or renew one: PENUMBRA_WRITE_BASELINES=1 writes it, and the test fails all the same, so that it cannot stay on.
+// Pictures of synthetic snapshots against baselines.
+#include "baseline.h"
 #include "ssim.h"
 #include "synthetic.h"
 
@@ -8,17 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 namespace penumbra {
 namespace {
-
-constexpr double alike = 0.999;
-
-std::filesystem::path baseline(const std::string &name) {
-    return std::filesystem::path(PENUMBRA_SOURCE_DIR) / "tests/golden/baselines" / (name + ".png");
-}
 
 PictureSpec picture_of(std::shared_ptr<const Snapshot> snapshot) {
     PictureSpec spec;
@@ -32,16 +25,7 @@ PictureSpec picture_of(std::shared_ptr<const Snapshot> snapshot) {
 
 void expect_golden(const std::string &name, const PictureSpec &spec) {
     const Offscreen context;
-    const Image drawn = draw_picture(spec);
-    if (std::getenv("PENUMBRA_WRITE_BASELINES") != nullptr) {
-        write_png(baseline(name), drawn);
-        FAIL() << "baseline written: look at " << baseline(name) << " and run again without PENUMBRA_WRITE_BASELINES";
-    }
-    ASSERT_TRUE(std::filesystem::exists(baseline(name))) << "no baseline " << baseline(name);
-    const double likeness = ssim(drawn, read_png(baseline(name)));
-    if (likeness < alike)
-        write_png(name + "-drawn.png", drawn);
-    EXPECT_GE(likeness, alike) << "drawn: " << std::filesystem::absolute(name + "-drawn.png");
+    penumbra::expect_golden(name, draw_picture(spec));
 }
 
 TEST(Golden, LampAndBlockerWithAllLayers) {
