@@ -150,6 +150,19 @@ int run(const CostOptions &options) {
     return done;
 }
 
+constexpr const char *cost_columns =
+    "Columns of cost.csv, a line for each strategy, basis and threshold:\n"
+    "  strategy, basis, order, threshold, max_depth\n"
+    "  status: done, not converged, time limit, memory limit, failed, not tried (a looser threshold was\n"
+    "    not done), interrupted\n"
+    "  runs: that came to the fixed point\n"
+    "  seconds, seconds_min, seconds_max: median and extremes of these; of a run that was stopped, until then.\n"
+    "    Of the iterations and, for strategies that cut, of tracing the emitters' curves\n"
+    "  patches, coefficients, links, kernel_evaluations: of the last complete iteration, the latter of all\n"
+    "  error: relative L2, of the reflected radiosity, against the exact direct solution\n"
+    "  iterations, clips, nodes_at_limit (patches that the depth limit kept from being split)\n"
+    "  scene, cpu, cores, threads, version";
+
 template <class T, class Named>
 std::vector<T> from_names(const std::vector<std::string> &names, const Named &named) {
     std::vector<T> all;
@@ -176,7 +189,7 @@ Command add_cost(CLI::App &root) {
         parser->remove_option(parser->get_option(one));
     parser->add_option("--thresholds", range.thresholds, "Of the oracle, commas between; each is solved for")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber)
+        ->check(positive())
         ->capture_default_str();
     parser->add_option("--repeats", range.repeats, "Times that each solution is made")
         ->check(CLI::Range(1, 1000))
@@ -195,11 +208,12 @@ Command add_cost(CLI::App &root) {
             "parametric,planar unless given")
         ->delimiter(',')
         ->check(CLI::IsMember({"parametric", "planar"}));
-    parser->add_option("--time-limit", solving.limits.seconds, "Seconds of one run, beyond which it is stopped and recorded as such")
-        ->check(CLI::PositiveNumber)
+    parser->add_option("--time-limit", solving.limits.seconds, "Seconds of one run, beyond which it is stopped and recorded as such (2)")
+        ->check(positive())
         ->capture_default_str();
     parser->add_option("--memory-limit", solving.limits.memory_mib, "MiB of resident memory, beyond which a run is stopped and recorded as such")
-        ->check(CLI::PositiveNumber);
+        ->check(positive());
+    parser->footer(cost_columns);
     add_common_options(*parser, options->common,
                        "The folder that cost.csv, cost.png and cost.svg are written to; made when it is missing");
     parser->get_option("--output")->required();

@@ -25,17 +25,6 @@ void add_pending_option(CLI::App &parser, const std::string &name, const std::st
         ->trigger_on_parse();
 }
 
-CLI::Validator positive() {
-    return {[](const std::string &text) {
-                char *end = nullptr;
-                const double x = std::strtod(text.c_str(), &end);
-                return *end == 0 && end != text.c_str() && std::isfinite(x) && x > 0
-                           ? std::string()
-                           : "'" + text + "' is not a positive number";
-            },
-            "POSITIVE"};
-}
-
 std::map<std::string, Strategy> strategies() {
     std::map<std::string, Strategy> all;
     for (const Strategy s : all_strategies)
@@ -51,6 +40,17 @@ std::vector<std::string> cut_choices() {
 }
 
 } // namespace
+
+CLI::Validator positive() {
+    return {[](const std::string &text) {
+                char *end = nullptr;
+                const double x = std::strtod(text.c_str(), &end);
+                return *end == 0 && end != text.c_str() && std::isfinite(x) && x > 0
+                           ? std::string()
+                           : "'" + text + "' is not a positive number";
+            },
+            "POSITIVE"};
+}
 
 std::optional<Vec3> SolvingOptions::up_vector() const {
     if (up.empty())

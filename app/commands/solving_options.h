@@ -6,6 +6,7 @@
 #include "core/vec.h"
 
 #include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
 
 #include <optional>
 #include <string>
@@ -28,6 +29,9 @@ struct CommonOptions {
     std::string output;
     bool quiet = false, verbose = false;
 };
+
+/// Of numbers that are finite and above 0.
+CLI::Validator positive();
 
 /// -o, -q, -v; `output` is what -o names, for the help.
 void add_common_options(CLI::App &parser, CommonOptions &common, const std::string &output);

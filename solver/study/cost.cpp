@@ -109,6 +109,7 @@ CostRunner solving_runner(std::shared_ptr<const Scene> scene, TrueError error, c
 std::vector<CostPoint> measure_cost(const CostRange &range, const CostRunner &run, const CostProgress &told) {
     std::vector<double> thresholds = range.thresholds;
     std::ranges::sort(thresholds, std::greater<>());
+    thresholds.erase(std::ranges::unique(thresholds).begin(), thresholds.end());
     std::vector<CostPoint> points = points_of(range, thresholds);
     if (points.empty())
         return points;
