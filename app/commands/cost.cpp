@@ -185,7 +185,7 @@ Command add_cost(CLI::App &root) {
     solving.limits.seconds = 2;
     add_scene_options(*parser, solving);
     add_solving_options(*parser, solving);
-    for (const char *one : {"--strategy", "--basis", "--threshold", "--time-limit", "--memory-limit"})
+    for (const char *one : {"--strategy", "--basis", "--tolerance", "--threshold", "--time-limit", "--memory-limit"})
         parser->remove_option(parser->get_option(one));
     parser->add_option("--thresholds", range.thresholds, "Of the oracle, commas between; each is solved for")
         ->delimiter(',')

@@ -91,16 +91,16 @@ void draw_curve(const Pen &pen, const Page &page, const PlotCurve &curve) {
 
 /// What labels should not cover: marks, crosses, and points along the curves.
 std::vector<glm::vec2> taken_points(const Page &page) {
+    constexpr int n = 12; // points of a piece, and what a cross weighs, which nobody would look for below a label
     std::vector<glm::vec2> taken;
     for (const PlotCurve &curve : page.plot.curves) {
         for (std::size_t i = 0; i < curve.marks.size(); ++i) {
             const glm::vec2 b = page.at(curve.marks[i]), a = i > 0 ? page.at(curve.marks[i - 1]) : b;
-            constexpr int n = 12;
             for (int k = 1; k <= n; ++k)
                 taken.push_back(glm::mix(a, b, static_cast<float>(k) / n));
         }
         for (const double y : curve.stopped)
-            taken.push_back(page.at_stopped(y));
+            taken.insert(taken.end(), n, page.at_stopped(y));
     }
     return taken;
 }

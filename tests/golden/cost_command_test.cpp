@@ -183,7 +183,8 @@ TEST_F(CostCommand, WrongUseIsTwoInOneLineAndWritesNothing) {
     for (const char *wrong : {"cost", "cost slanted-edge", "cost slanted-edge -o x --thresholds 0",
                               "cost slanted-edge -o x --thresholds 0.1,x", "cost slanted-edge -o x --thresholds nan", "cost slanted-edge -o x --strategies best",
                               "cost slanted-edge -o x --bases round", "cost slanted-edge -o x --repeats 0",
-                              "cost slanted-edge -o x --time-limit -1", "cost slanted-edge -o x --threshold 0.1"}) {
+                              "cost slanted-edge -o x --time-limit -1", "cost slanted-edge -o x --threshold 0.1",
+                              "cost slanted-edge -o x --tolerance 0.1"}) {
         EXPECT_EQ(run(wrong), 2) << wrong;
         EXPECT_EQ(std::ranges::count(err(), '\n'), 1) << err();
         EXPECT_FALSE(fs::exists(folder / "x")) << wrong;
