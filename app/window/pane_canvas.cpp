@@ -88,7 +88,8 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
     p.clear_strip(pixels(arrangement.legend, pixel_ratio), height);
     int drawn = 0;
     const auto strategies = state.shown();
-    for (std::size_t i = 0; i < strategies.size(); ++i) {
+    // A panel may have changed the layout in this frame; it is arranged in the next.
+    for (std::size_t i = 0; i < std::min(strategies.size(), arrangement.pane.size()); ++i) {
         const auto snapshot = state.snapshot(strategies[i]);
         if (!snapshot)
             continue; // what was there stays until the new solution is ready

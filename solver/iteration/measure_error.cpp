@@ -67,9 +67,8 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
         ErrorEstimate e = estimate_error(batches, correction(setting, state, batches, cancel), size,
                                          setting.largest_reflectance());
         e.n_rays = n_rays;
-        const double spread = square(e.upper) - square(e.error);
-        const bool known = spread <= 0.5 * square(e.error);
-        const bool far_above = square(e.error) - spread > square(2 * goal);
+        const bool known = e.spread <= 0.5 * e.mean_square;
+        const bool far_above = e.mean_square - e.spread > square(2 * goal);
         const bool far_below = e.upper < goal / 30; // below a tenth: more than was asked for, however much
         if (known || far_above || far_below || batches.size() >= most_batches)
             return e;

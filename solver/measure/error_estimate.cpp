@@ -17,9 +17,9 @@ double student_t(std::size_t n) {
     return table[std::clamp<std::size_t>(n, 1, table.size()) - 1];
 }
 
-/// Mean of the batches' sums, and the limit above it.
+/// Mean of the batches' sums, and how far above it its limit lies.
 struct Limited {
-    double mean = 0, upper = 0;
+    double mean = 0, spread = 0;
 
     explicit Limited(const std::vector<double> &sums) {
         const double n = static_cast<double>(sums.size());
@@ -28,7 +28,7 @@ struct Limited {
         double variance = 0;
         for (const double s : sums)
             variance += (s - mean) * (s - mean) / (n - 1);
-        upper = mean + student_t(sums.size() - 1) * std::sqrt(variance / n);
+        spread = student_t(sums.size() - 1) * std::sqrt(variance / n);
     }
 };
 
@@ -76,10 +76,12 @@ ErrorEstimate estimate_error(std::span<const std::vector<ResidualPoint>> batches
         return out;
     const Limited e(errors), r(residuals);
     const double scale = std::sqrt(reflected_square);
+    out.mean_square = e.mean / reflected_square;
+    out.spread = e.spread / reflected_square;
     out.error = root(e.mean) / scale;
-    out.upper = root(e.upper) / scale;
+    out.upper = std::sqrt(std::max(e.mean, 0.0) + e.spread) / scale;
     out.residual = root(r.mean) / scale;
-    out.bound = root(r.upper) / scale / (1 - largest_reflectance);
+    out.bound = std::sqrt(std::max(r.mean, 0.0) + r.spread) / scale / (1 - largest_reflectance);
     out.noise = root(noise / static_cast<double>(batches.size())) / scale;
     return out;
 }

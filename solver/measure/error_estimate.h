@@ -14,6 +14,8 @@ struct ErrorEstimate {
     double upper = 0;       ///< its upper confidence limit, as far as the points' luck goes
     double residual = 0;    ///< ||r||
     double bound = 0;       ///< the upper confidence limit of ||r|| / (1 - rho_max), which ||B - B_h|| does not exceed
+    double mean_square = 0; ///< the square of `error` before it is cut off at 0: noise may leave it negative
+    double spread = 0;      ///< from there to its upper confidence limit
     double noise = 0;       ///< of one gather of r, root mean square
     int n_points = 0;
     std::int64_t n_rays = 0;

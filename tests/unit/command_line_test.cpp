@@ -71,7 +71,7 @@ TEST_F(CommandLine, WrongUseIsTwoAndOneLine) {
 }
 
 TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
-    for (const char *option : {"--tolerance 0.01", "--effect colour=on"}) {
+    for (const char *option : {"--effect colour=on"}) {
         const Result result = run(std::string("solve figure-4 ") + option);
         EXPECT_EQ(result.status, 2) << option;
         EXPECT_THAT(result.err, HasSubstr("still to come")) << option;
