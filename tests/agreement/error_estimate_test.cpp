@@ -1,0 +1,54 @@
+// What the residual at random points says of the error, against what is known of it otherwise.
+#include "iteration/solver.h"
+#include "iteration/state.h"
+#include "iteration/measure_error.h"
+#include "scene/bundled.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace penumbra {
+
+namespace {
+
+class ErrorEstimates : public testing::TestWithParam<const char *> {};
+
+TEST_P(ErrorEstimates, AgreeWithTheExactDirectSolution) {
+    // Where light bounces once the error is known on a fine grid (measure/direct.h). The estimate has 512 points or more;
+    // it stops when the 95 % limit of the mean square is within half of it, that is the error within about a quarter.
+    for (const double tolerance : {0.1, 0.01}) {
+        Solver solver(std::make_shared<const Scene>(open_scene(GetParam(), {})), Options().to_tolerance(tolerance));
+        ASSERT_TRUE(solver.run());
+        const double error = solver.snapshot(true)->error, estimate = solver.counters().estimated_error;
+        EXPECT_LE(error, tolerance);
+        EXPECT_LT(estimate, 1.4 * error);
+        EXPECT_GT(estimate, error / 1.4);
+        EXPECT_LE(error, solver.counters().error_bound);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OneBounce, ErrorEstimates, testing::Values("figure-4", "slanted-edge", "box-on-floor"));
+
+TEST(ErrorEstimate, OfAFurnaceIsWhatTheBouncesToComeBring) {
+    // E = 1 and rho = 0.5 on all walls of a closed box: after k gathers B = 2 - 2^-k, B - E = 1 - 2^-k, r = 2^-k / 2, and
+    // 2^-k is missing.
+    const auto scene = std::make_shared<const Scene>(open_scene("furnace", {}));
+    Solver solver(scene, Options().to_tolerance(0.01));
+    for (int k = 1; k <= 3; ++k) {
+        solver.step();
+        const double missing = std::ldexp(1.0, -k), reflected = 1 - missing;
+        Setting setting{scene, solver.options(), std::make_unique<const Blockers>(*scene),
+                        std::make_unique<const RayScene>(*scene)};
+        Work work;
+        const ErrorEstimate e = measure_error(setting, *solver.state(), 0.01, 7, nullptr, work);
+        EXPECT_NEAR(e.error, missing / reflected, 0.01 * missing / reflected) << k;
+        EXPECT_NEAR(e.residual, 0.5 * missing / reflected, 0.01 * missing / reflected) << k;
+        EXPECT_NEAR(e.bound, missing / reflected, 0.02 * missing / reflected) << k;
+    }
+}
+
+} // namespace
+
+} // namespace penumbra
