@@ -23,6 +23,7 @@ SavedState unusual() {
                  .basis = BasisFamily::planar,
                  .order = 3,
                  .threshold = 1.0 / 3,
+                 .tolerance = {},
                  .max_depth = 9,
                  .max_iterations = 7,
                  .cut = CutChoice::best};
