@@ -123,7 +123,7 @@ void SolveWorker::advance(const Task &task) {
         course.position = task.position;
         const Counters &counters = course.solver->counters();
         course.ended = course.solver->phase() == Phase::pushed_pulled &&
-                       (counters.converged || counters.iteration >= task.goal.options.max_iterations);
+                       (course.solver->ended() || counters.iteration >= task.goal.options.max_iterations);
         report(Reached{task.goal.run, task.strategy, task.position, course.solver->snapshot(true), course.ended});
     } catch (const Cancelled &) {
         // The solver stands where it stood before the phase.

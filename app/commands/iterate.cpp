@@ -6,7 +6,7 @@ std::vector<Counters> iterate(Solver &solver, int most, const Cancel &cancel, Pr
     std::vector<Counters> iterations;
     std::shared_ptr<const State> complete = solver.state();
     try {
-        while (!solver.converged() && static_cast<int>(iterations.size()) < most) {
+        while (!solver.ended() && static_cast<int>(iterations.size()) < most) {
             solver.step(&cancel);
             complete = solver.state();
             iterations.push_back(solver.counters());

@@ -52,6 +52,10 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
         complain(interrupt.sentence() + "; " + reached);
         return status;
     }
+    if (record.solution->counters.exhausted) {
+        complain(record.solution->sentence);
+        return not_reached;
+    }
     if (!record.solution->counters.converged) {
         complain("the fixed point was not reached in " + std::to_string(solving.options.max_iterations) +
                  " iterations; raise --max-iterations or --threshold");

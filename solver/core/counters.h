@@ -49,7 +49,7 @@ struct Counters {
     double estimated_error = -1; ///< relative L2 error of B - E, about; negative: not measured in this state
     double error_limit = -1; ///< upper confidence limit of that
     double error_bound = -1;  ///< that it does not exceed, with the confidence of ErrorEstimate; negative: not measured
-    bool exhausted = false;   ///< the tolerance is not met and nothing can be refined any more
+    bool exhausted = false;   ///< steps lead nowhere: the tolerance is out of reach, or radiosity is not finite
     double change = 0;        ///< largest change of a radiosity in this iteration, as a fraction of the largest B - E
     bool settled = false;     ///< no refinement in this iteration, and a change below 0.1 threshold (1 - rho_max)
     bool converged = false;   ///< settled; with a tolerance also measured, and below it

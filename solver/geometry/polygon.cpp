@@ -45,7 +45,13 @@ bool contains(std::span<const Vec2> convex, const Vec2 &p, double slack) {
 }
 
 Vec2 nearest_point(std::span<const Vec2> convex, const Vec2 &p) {
-    if (contains(convex, p))
+    // Of a polygon without area the sides' whole line is on the inner side of all of them: its box has the ends.
+    Vec2 low = convex[0], high = convex[0];
+    for (const Vec2 &corner : convex) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    if ((p.array() >= low.array()).all() && (p.array() <= high.array()).all() && contains(convex, p))
         return p;
     Vec2 best = convex[0];
     double least = std::numeric_limits<double>::infinity();

@@ -18,7 +18,7 @@ Vec2 centroid(std::span<const Vec2> polygon);
 double radius(std::span<const Vec2> polygon);
 /// Whether p lies in the convex polygon or on its border, to within `slack` (a length).
 bool contains(std::span<const Vec2> convex, const Vec2 &p, double slack = 0);
-/// Point of the convex polygon nearest to p.
+/// Point of the convex polygon nearest to p; the polygon may be without area.
 Vec2 nearest_point(std::span<const Vec2> convex, const Vec2 &p);
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
 Polygon convex_hull(Polygon points);

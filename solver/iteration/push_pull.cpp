@@ -47,6 +47,12 @@ void push_pull(const Setting &setting, State &state) {
     state.peak = most.reflected;
     Counters &c = state.counters;
     c.change = most.reflected > 0 ? most.change / most.reflected : 0;
+    if (!state.radiosity.allFinite()) { // a fault of the solver's: nothing that follows is worth anything
+        c.settled = false;
+        c.exhausted = true;
+        state.sentence = "radiosity is not finite: the solution is void";
+        return;
+    }
     c.settled = !c.refined && c.change <= 0.1 * c.threshold * (1 - setting.largest_reflectance());
     state.sentence = c.settled ? "converged: nothing refined, and radiosity no longer changes"
                                : "pushed irradiance to " + std::to_string(c.patches) +

@@ -129,7 +129,7 @@ void Solver::step(const Cancel *cancel) {
 }
 
 bool Solver::run(const Cancel *cancel) {
-    while (!converged() && !counters().exhausted && counters().iteration < options().max_iterations)
+    while (!ended() && counters().iteration < options().max_iterations)
         step(cancel);
     return converged();
 }

@@ -34,6 +34,8 @@ public:
     Phase phase() const;
     const Counters &counters() const;
     bool converged() const { return counters().converged; }
+    /// Whether steps have nothing more to give: converged, or exhausted.
+    bool ended() const { return converged() || counters().exhausted; }
     /// Everything about the present state. `with_error` adds the error against the exact direct solution where the
     /// scene has one bounce (no time of it is counted).
     std::shared_ptr<const Snapshot> snapshot(bool with_error = false) const;

@@ -49,6 +49,19 @@ TEST(ErrorEstimate, OfAFurnaceIsWhatTheBouncesToComeBring) {
     }
 }
 
+TEST(ErrorEstimate, RadiosityThatIsNotFiniteIsNoSolution) {
+    Solver solver(std::make_shared<const Scene>(open_scene("slanted-edge", {})), Options().to_tolerance(0.1));
+    ASSERT_TRUE(solver.run());
+    solver.sub_step();
+    solver.sub_step();
+    auto spoilt = std::make_shared<State>(*solver.state());
+    spoilt->irradiance(0, 0) = std::nan("");
+    solver.restore(spoilt);
+    solver.sub_step();
+    EXPECT_FALSE(solver.converged());
+    EXPECT_TRUE(solver.ended());
+}
+
 } // namespace
 
 } // namespace penumbra

@@ -82,6 +82,17 @@ TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
     EXPECT_FALSE(fs::exists(folder / "x"));
 }
 
+TEST_F(CommandLine, AToleranceOutOfReachIsSaidWithWhatWasReached) {
+    // A floor in one piece and a constant: nothing can be split.
+    const Result result = run("solve slanted-edge --tolerance 0.001 --max-depth 0 --strategy uniform-constant -o r.json");
+    EXPECT_EQ(result.status, 4);
+    EXPECT_THAT(result.err, HasSubstr("out of reach"));
+    const auto found = record("r.json")["final"];
+    EXPECT_EQ(found["converged"], false);
+    EXPECT_GT(found["estimated_error"], 0.001);
+    EXPECT_GT(found["error_bound"], found["error"]);
+}
+
 TEST_F(CommandLine, CheckSaysWhatHoldsAndWhatFails) {
     // Status 1 exactly when a case fails, and the table names the same ones.
     const Result table = run("check"), json = run("check --json -o shelf.json");
