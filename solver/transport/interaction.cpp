@@ -70,14 +70,29 @@ Rgb Interaction::mean_square_misfit(const Forest &forest, const Coefficients &ra
 double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source) {
     const Surface &receiver = transport.scene.surface(p.surface), &s = transport.scene.surface(source);
     double most = 0;
-    std::vector<Vec2> points = p.basis.outline();
-    points.push_back(p.basis.centre());
     const Vec2 centre = p.basis.centre();
+    std::vector<Vec2> points{centre};
+    for (const Vec2 &corner : p.basis.outline())
+        points.push_back(corner + 1e-3 * (centre - corner));
+    // A small source lights a large receiver most beneath it, or, standing upright on it or above it, in front of it: h d /
+    // (h^2 + d^2)^2 is largest at the distance d = h / sqrt(3).
+    const Vec2 ahead(s.frame.normal.dot(receiver.frame.u), s.frame.normal.dot(receiver.frame.v));
+    const auto beneath = [&](const Vec2 &y) {
+        const Vec3 at = s.frame.to_space(y);
+        const double away = std::max(0.05 * radius(s.outline), receiver.frame.height(at) / std::sqrt(3.0));
+        points.push_back(nearest_point(p.basis.outline(), receiver.frame.to_plane(at) + away * ahead));
+    };
+    for (std::size_t i = 0; i < s.outline.size(); ++i) {
+        beneath(s.outline[i]);
+        beneath((s.outline[i] + s.outline[(i + 1) % s.outline.size()]) / 2);
+    }
+    for (const Polygon &part : s.parts)
+        beneath(centroid(part));
     ConvexPieces whole, front;
     for (const Polygon &part : s.parts)
         whole.add(part);
-    for (const Vec2 &corner : points) {
-        const Vec3 x = receiver.frame.to_space(corner + 1e-3 * (centre - corner));
+    for (const Vec2 &point : points) {
+        const Vec3 x = receiver.frame.to_space(point);
         if (s.frame.height(x) <= 0)
             continue;
         const Vec3 &n = receiver.frame.normal;

@@ -66,7 +66,8 @@ struct Transport {
     const Cancel *cancel = nullptr;
 };
 
-/// The unoccluded form factor from p to S, the largest over corners and centre of p; 0 when neither faces the other.
+/// The unoccluded form factor from p to S, the largest over corners and centre of p and the
+/// points of it beneath, or a little in front of, the corners, sides and parts of S; 0 when neither faces the other.
 double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source);
 
 /// Classifies the pair and integrates its links. `candidates`: a superset of the blockers between them (those of a
