@@ -1,31 +1,15 @@
 #include "measure/direct.h"
 
 #include "core/parallel.h"
+#include "measure/cone_blockers.h"
 #include "transport/lambert.h"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 #include <vector>
 
 namespace penumbra {
-
-namespace {
-
-/// Whether the polygon keeps out of the cone from x to the source polygon (counter-clockwise as x sees it) by one of its
-/// side planes.
-bool outside_cone(const Vec3 &x, std::span<const Vec3> normals, std::span<const Vec3> polygon) {
-    return std::ranges::any_of(normals, [&](const Vec3 &outward) {
-        return std::ranges::all_of(polygon, [&](const Vec3 &c) { return outward.dot(c - x) >= 0; });
-    });
-}
-
-bool behind(const PlaneFrame &plane, std::span<const Vec3> polygon) {
-    return std::ranges::all_of(polygon, [&](const Vec3 &c) { return plane.height(c) <= 1e-12; });
-}
-
-} // namespace
 
 Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point, Work &work) {
     const Surface &surface = scene.surface(id);
@@ -34,7 +18,6 @@ Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId id
         return irradiance;
     const Vec3 x = surface.frame.to_space(point);
     std::vector<PairBlocker> others;
-    std::vector<Vec3> normals;
     VisibleScratch scratch;
     for (int s = 0; s < scene.n_surfaces(); ++s) {
         const Surface &source = scene.surface(SurfaceId(s));
@@ -42,18 +25,7 @@ Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId id
             behind(surface.frame, source.corners))
             continue;
         for (const Polygon &part : source.parts) {
-            normals.clear();
-            for (std::size_t i = 0; i < part.size(); ++i)
-                normals.push_back((source.frame.to_space(part[i]) - x)
-                                      .cross(source.frame.to_space(part[(i + 1) % part.size()]) - x));
-            others.clear();
-            for (std::size_t b = 0; b < blockers.all().size(); ++b) {
-                const std::vector<Vec3> &corners = blockers.all()[b].corners;
-                // Behind or in either plane nothing blocks.
-                if (!behind(surface.frame, corners) && !behind(source.frame, corners) &&
-                    !outside_cone(x, normals, corners))
-                    others.push_back({static_cast<int>(b), false});
-            }
+            blockers_in_cone(x, surface.frame, source.frame, part, blockers, nullptr, others);
             scratch.hidden.cast(x, source.frame, blockers, others, work);
             ConvexPieces whole, rest;
             whole.add(part);

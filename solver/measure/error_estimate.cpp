@@ -58,7 +58,7 @@ ErrorEstimate estimate_error(std::span<const std::vector<ResidualPoint>> batches
     PENUMBRA_CHECK(batches.size(), ==, correction.size());
     ErrorEstimate out;
     std::vector<double> errors, residuals;
-    double noise = 0;
+    double noise = 0, bounced = 0;
     for (std::size_t b = 0; b < batches.size(); ++b) {
         double error = 0, residual = 0;
         for (std::size_t k = 0; k < batches[b].size(); ++k) {
@@ -66,6 +66,7 @@ ErrorEstimate estimate_error(std::span<const std::vector<ResidualPoint>> batches
             const Rgb &more = correction[b][k];
             error += p.area * ((p.first + more) * (p.second + more)).sum();
             residual += p.area * (p.first * p.second).sum();
+            bounced += p.area * more.square().sum();
             noise += p.area * 0.5 * (p.first - p.second).square().sum();
         }
         errors.push_back(error);
@@ -82,6 +83,7 @@ ErrorEstimate estimate_error(std::span<const std::vector<ResidualPoint>> batches
     out.upper = std::sqrt(std::max(e.mean, 0.0) + e.spread) / scale;
     out.residual = root(r.mean) / scale;
     out.bound = std::sqrt(std::max(r.mean, 0.0) + r.spread) / scale / (1 - largest_reflectance);
+    out.bounced = root(bounced / static_cast<double>(batches.size())) / scale;
     out.noise = root(noise / static_cast<double>(batches.size())) / scale;
     return out;
 }

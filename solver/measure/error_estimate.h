@@ -14,6 +14,7 @@ struct ErrorEstimate {
     double upper = 0;       ///< its upper confidence limit, as far as the points' luck goes
     double residual = 0;    ///< ||r||
     double bound = 0;       ///< the upper confidence limit of ||r|| / (1 - rho_max), which ||B - B_h|| does not exceed
+    double bounced = 0;     ///< ||correction||: what B_h + r, gathered once more, still lacks, about
     double mean_square = 0; ///< the square of `error` before it is cut off at 0: noise may leave it negative
     double spread = 0;      ///< from there to its upper confidence limit
     double noise = 0;       ///< of one gather of r, root mean square

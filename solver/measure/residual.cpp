@@ -65,10 +65,8 @@ Rgb reflected_irradiance(const Solution &solution, SurfaceId id, const Vec2 &poi
     return sum / n_rays;
 }
 
-std::vector<std::vector<ResidualPoint>> sample_residual(const Solution &solution, const Field &judged,
-                                                        const ResidualSampling &sampling, const Cancel *cancel,
-                                                        Work &work) {
-    const Scene &scene = solution.scene;
+std::vector<std::vector<ResidualPoint>> draw_points(const Scene &scene, const Field &judged,
+                                                    const ResidualSampling &sampling) {
     const Leaves leaves(scene, judged.forest);
     const auto n = static_cast<std::size_t>(sampling.n_points);
     std::vector<std::vector<ResidualPoint>> batches(static_cast<std::size_t>(sampling.n_batches));
@@ -98,6 +96,14 @@ std::vector<std::vector<ResidualPoint>> sample_residual(const Solution &solution
             batches[b].push_back(point);
         }
     }
+    return batches;
+}
+
+std::vector<std::vector<ResidualPoint>> sample_residual(const Solution &solution, const Field &judged,
+                                                        const ResidualSampling &sampling, const Cancel *cancel,
+                                                        Work &work) {
+    const Scene &scene = solution.scene;
+    std::vector<std::vector<ResidualPoint>> batches = draw_points(scene, judged, sampling);
     struct Place {
         std::size_t batch, point;
     };

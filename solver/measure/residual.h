@@ -43,10 +43,14 @@ struct ResidualSampling {
     std::uint64_t seed = 0;
 };
 
+/// Fresh random points, nothing gathered yet: half of them fall by area, half by leaves of `judged`. Batch after batch,
+/// n_points or fewer each (points under covers are left out).
+std::vector<std::vector<ResidualPoint>> draw_points(const Scene &scene, const Field &judged,
+                                                    const ResidualSampling &sampling);
+
 /// What `judged` (B_h) lacks at fresh random points of what the light of `solution` (B) makes of them; with B = B_h, the
 /// residual of B_h. Gathered are the exact visible part of every emitter (direct.h), and B - E of what rays meet,
-/// cosine-weighted and one in each stratum of directions: links have no part in it. Half of the points fall by area, half
-/// by leaves of `judged`. Batch after batch, n_points or fewer each (points under covers are left out). Cancellable.
+/// cosine-weighted and one in each stratum of directions: links have no part in it. Cancellable.
 std::vector<std::vector<ResidualPoint>> sample_residual(const Solution &solution, const Field &judged,
                                                         const ResidualSampling &sampling, const Cancel *cancel,
                                                         Work &work);

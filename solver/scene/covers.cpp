@@ -29,14 +29,6 @@ Box box_of(const Surface &surface) {
     return box;
 }
 
-bool coplanar(const Surface &a, const Surface &b) {
-    const auto within = [](const Surface &s, const Surface &of) {
-        return std::ranges::all_of(s.corners,
-                                   [&](const Vec3 &x) { return std::abs(of.frame.height(x)) <= coplanar_within; });
-    };
-    return std::abs(a.frame.normal.dot(b.frame.normal)) > 0.999 && within(a, b) && within(b, a);
-}
-
 Polygon intersection(Polygon subject, const Polygon &window) {
     Polygon inside, outside;
     for (const HalfPlane &h : half_planes(window)) {
@@ -103,7 +95,7 @@ std::vector<std::pair<std::size_t, std::size_t>> coplanar_pairs(const Scene &sce
             if (b.low.x() > a.high.x() + coplanar_within)
                 break;
             const Surface &s = scene.surfaces[by_x[k]], &t = scene.surfaces[by_x[l]];
-            if (!a.meets(b) || s.face == t.face || !coplanar(s, t))
+            if (!a.meets(b) || s.face == t.face || !in_one_plane(s, t))
                 continue;
             if ((n_parts += s.parts.size() * t.parts.size()) > most_coplanar_pairs)
                 throw BadInput(
@@ -130,6 +122,14 @@ void find_covers(Scene &scene) {
         if (opposite || a_on_top)
             cover(b, a);
     }
+}
+
+bool in_one_plane(const Surface &a, const Surface &b) {
+    const auto within = [](const Surface &s, const Surface &of) {
+        return std::ranges::all_of(s.corners,
+                                   [&](const Vec3 &x) { return std::abs(of.frame.height(x)) <= coplanar_within; });
+    };
+    return std::abs(a.frame.normal.dot(b.frame.normal)) > 0.999 && within(a, b) && within(b, a);
 }
 
 bool is_covered(const Surface &surface, const Vec2 &p) {

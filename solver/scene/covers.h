@@ -8,6 +8,9 @@ namespace penumbra {
 /// Surfaces lie in one plane when no corner of either is farther than this from the other's (unit size).
 inline constexpr double coplanar_within = 1e-9;
 
+/// Whether two surfaces lie in one plane, whichever way each of them faces.
+bool in_one_plane(const Surface &a, const Surface &b);
+
 /// Largest number of pairs of convex parts that may lie in one plane with boxes that meet; beyond it, BadInput.
 inline constexpr std::size_t most_coplanar_pairs = 4'000'000;
 

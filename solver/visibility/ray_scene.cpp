@@ -1,7 +1,9 @@
 #include "visibility/ray_scene.h"
 
+#include "scene/covers.h"
 #include "visibility/embree.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -11,9 +13,16 @@ struct RayScene::Tree {
     EmbreeDevice device{rtcNewDevice(nullptr)};
     EmbreeScene scene;
     std::vector<SurfaceId> front_of, back_of; // by triangle
+    std::vector<std::vector<SurfaceId>> same_plane; // by surface that has covers: others there that face its way
 };
 
 namespace {
+
+/// Whether x, in the surface's plane, lies in it.
+bool holds(const Surface &surface, const Vec3 &x) {
+    const Vec2 at = surface.frame.to_plane(x);
+    return std::ranges::any_of(surface.parts, [&](const Polygon &part) { return contains(part, at); });
+}
 
 void intersect(RTCScene scene, RTCRayHit &ray) {
 #if RTC_VERSION_MAJOR >= 4
@@ -27,7 +36,14 @@ void intersect(RTCScene scene, RTCRayHit &ray) {
 
 } // namespace
 
-RayScene::RayScene(const Scene &scene) : tree_(std::make_unique<Tree>()) {
+RayScene::RayScene(const Scene &scene) : scene_(scene), tree_(std::make_unique<Tree>()) {
+    tree_->same_plane.resize(scene.surfaces.size());
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+        if (const Surface &surface = scene.surfaces[s]; !surface.covers.empty())
+            for (int other = 0; other < scene.n_surfaces(); ++other)
+                if (SurfaceId(other) != SurfaceId(s) && in_one_plane(surface, scene.surface(SurfaceId(other))) &&
+                    surface.frame.normal.dot(scene.surface(SurfaceId(other)).frame.normal) > 0)
+                    tree_->same_plane[s].emplace_back(other);
     // The back of a double-sided face lies where its front lies: one set of triangles serves both.
     std::vector<int> back_by_face;
     for (int s = 0; s < scene.n_surfaces(); ++s)
@@ -94,7 +110,17 @@ std::optional<RayHit> RayScene::nearest(const Vec3 &origin, const Vec3 &directio
     const std::size_t triangle = ray.hit.primID;
     const SurfaceId back = tree_->back_of[triangle];
     const bool has_back = back != tree_->front_of[triangle];
-    return RayHit{front ? tree_->front_of[triangle] : back, ray.ray.tfar, front || has_back};
+    RayHit hit{front ? tree_->front_of[triangle] : back, ray.ray.tfar, front || has_back};
+    // Of surfaces in one plane any may be met: the one that lies on top is meant.
+    if (hit.front && !tree_->same_plane[hit.surface.at()].empty()) {
+        const Vec3 at = origin + hit.distance * direction;
+        const auto shows = [&](const Surface &s) { return !is_covered(s, s.frame.to_plane(at)); };
+        if (!shows(scene_.surface(hit.surface)))
+            for (const SurfaceId other : tree_->same_plane[hit.surface.at()])
+                if (const Surface &s = scene_.surface(other); holds(s, at) && shows(s))
+                    hit.surface = other;
+    }
+    return hit;
 }
 
 } // namespace penumbra

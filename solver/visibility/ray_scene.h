@@ -15,7 +15,8 @@ struct RayHit {
     bool front = false;    ///< whether the ray met the front side
 };
 
-/// The scene as triangles with Embree's robust traversal: no ray slips through a shared edge.
+/// The scene as triangles with Embree's robust traversal: no ray slips through a shared edge. Of surfaces in one plane the
+/// one that lies on top is met (scene/covers.h). Keeps a reference to the scene.
 class RayScene {
 public:
     explicit RayScene(const Scene &scene);
@@ -28,6 +29,7 @@ public:
 
 private:
     struct Tree;
+    const Scene &scene_;
     std::unique_ptr<Tree> tree_;
 };
 

@@ -2,8 +2,11 @@
 #include "obj_text.h"
 
 #include "scene/build_scene.h"
+#include "visibility/ray_scene.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace penumbra {
 namespace {
@@ -90,6 +93,22 @@ TEST(Covers, TheSameFaceTwiceIsCoveredOnce) {
     const Scene scene = scene_of(large + "f 1 2 3 4\nf 1 2 3 4\n");
     EXPECT_NEAR(covered(scene, 0), 16, 1e-12);
     EXPECT_EQ(covered(scene, 1), 0);
+}
+
+TEST(Covers, RaysMeetWhatLiesOnTop) {
+    // The large square reaches to 2, the small one on it to 1.
+    for (const char *faces : {"usemtl lamp\nf 5 6 7 8\nusemtl grey\nf 1 2 3 4\n",
+                              "usemtl grey\nf 1 2 3 4\nusemtl lamp\nf 5 6 7 8\n"}) {
+        const Scene scene = scene_of(large + small + faces, materials);
+        const RayScene rays(scene);
+        const int lamp = scene.emits(SurfaceId(0)) ? 0 : 1;
+        for (double x = -1.95; x < 2; x += 0.1)
+            for (double y = -1.95; y < 2; y += 0.1) {
+                const auto hit = rays.nearest(scene.own.to_solver({x, y, 1}), -Vec3::UnitZ());
+                ASSERT_TRUE(hit && hit->front) << x << " " << y;
+                EXPECT_EQ(hit->surface.index == lamp, std::abs(x) < 1 && std::abs(y) < 1) << x << " " << y;
+            }
+    }
 }
 
 TEST(Covers, TwoSidesOfOneFaceNeverDo) {
