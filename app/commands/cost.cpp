@@ -7,7 +7,9 @@
 #include "core/error.h"
 #include "core/machine.h"
 #include "core/parallel.h"
+#include "core/percent.h"
 #include "files/cost_table.h"
+#include "files/find_reference.h"
 #include "files/saved_state.h"
 #include "files/write_state.h"
 #include "plot/cost_sheet.h"
@@ -36,7 +38,30 @@ struct CostOptions {
     SolvingOptions solving;
     CommonOptions common;
     CostRange range;
+    double reference = 0.003;
 };
+
+/// Null where cancelled. On a terminal says how far it is.
+std::shared_ptr<const Reference> reference_for(const std::shared_ptr<const Scene> &scene, const CostOptions &options,
+                                               const Cancel &cancel) {
+    const CommonOptions &common = options.common;
+    const bool line = !common.quiet && !common.verbose && error_is_terminal();
+    const auto show = [&](int iteration, double error) {
+        const std::string so_far = error >= 0 ? ", error about " + percent(error) : "";
+        if (line || common.verbose)
+            std::fprintf(stderr, "%sreference to %s: iteration %d%s%s", line ? "\r\033[K" : "",
+                         percent(options.reference).c_str(), iteration, so_far.c_str(), line ? "" : "\n");
+        std::fflush(stderr);
+    };
+    std::shared_ptr<const Reference> reference;
+    try {
+        reference = find_reference(scene, options.reference, &cancel, show);
+    } catch (const Cancelled &) {
+    }
+    if (line)
+        std::fputs("\r\033[K", stderr);
+    return reference;
+}
 
 void make_folder(const std::filesystem::path &folder) {
     std::error_code error;
@@ -112,23 +137,23 @@ bool lacks_a_curve(const CostStudy &study) {
 int run(const CostOptions &options) {
     const std::filesystem::path folder = options.common.output;
     const auto scene = std::make_shared<const Scene>(open_scene(options.solving, options.common));
-    const TrueError error = error_against_direct_light(scene);
-    if (!error) {
-        complain("in " + scene->name + " light is reflected more than once: a reference for its error is still to "
-                 "come; scenes with one bounce, as slanted-edge and figure-4, have one");
-        return wrong_use;
-    }
     make_folder(folder);
     const Offscreen context; // better known to be missing now than after the runs
     set_threads(options.solving.options.threads);
     const Interrupt interrupt;
     const RunLimits limits{options.solving.limits.seconds, options.solving.limits.memory_mib};
 
+    const auto reference = reference_for(scene, options, interrupt.cancel());
+    if (!reference) {
+        complain(interrupt.sentence() + "; nothing was written");
+        return interrupt.exit_status();
+    }
     CostRange range = options.range;
     range.options = options.solving.options;
-    CostStudy study{scene->name, cpu_model(), n_cores(), threads(), PENUMBRA_VERSION, range.repeats, limits, {}};
+    CostStudy study{scene->name, cpu_model(), n_cores(), threads(), PENUMBRA_VERSION, range.repeats, limits, {},
+                    reference->error()};
     study.points =
-        measure_cost(range, solving_runner(scene, error, limits, interrupt.cancel()),
+        measure_cost(range, solving_runner(scene, error_against(scene, reference), limits, interrupt.cancel()),
                      [&](const CostPoint &p, int done, int all) { show(options.common, p, done, all); });
     if (!options.common.quiet && !options.common.verbose && error_is_terminal())
         std::fputs("\r\033[K", stderr);
@@ -159,9 +184,10 @@ constexpr const char *cost_columns =
     "  seconds, seconds_min, seconds_max: median and extremes of these; of a run that was stopped, until then.\n"
     "    Of the iterations and, for strategies that cut, of tracing the emitters' curves\n"
     "  patches, coefficients, links, kernel_evaluations: of the last complete iteration, the latter of all\n"
-    "  error: relative L2, of the reflected radiosity, against the exact direct solution\n"
+    "  error: relative L2, of the reflected radiosity, against the exact direct solution where light bounces once, else\n"
+    "    against a reference, whose own is about reference_error\n"
     "  iterations, clips, nodes_at_limit (patches that the depth limit kept from being split)\n"
-    "  scene, cpu, cores, threads, version";
+    "  scene, cpu, cores, threads, version, reference_error";
 
 template <class T, class Named>
 std::vector<T> from_names(const std::vector<std::string> &names, const Named &named) {
@@ -189,6 +215,9 @@ Command add_cost(CLI::App &root) {
         parser->remove_option(parser->get_option(one));
     parser->add_option("--thresholds", range.thresholds, "Of the oracle, commas between; each is solved for")
         ->delimiter(',')
+        ->check(positive())
+        ->capture_default_str();
+    parser->add_option("--reference", options->reference, "Tolerance of the solution that errors are measured against, where light bounces more than once; kept in the cache folder")
         ->check(positive())
         ->capture_default_str();
     parser->add_option("--repeats", range.repeats, "Times that each solution is made")

@@ -8,16 +8,42 @@
 #include "files/probes.h"
 #include "files/record.h"
 #include "iteration/solver.h"
+#include "iteration/state.h"
+#include "measure/error_estimate.h"
 #include "scene/scene.h"
+#include "study/run_watch.h"
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace penumbra {
 
 namespace {
+
+/// Measures the solution. Where a limit stopped it a solution of an earlier iteration may be the better one (`best`), and
+/// then takes its place; what was stopped in the middle of refining is given a while to be measured, no longer.
+void measure(Solver &solver, const std::shared_ptr<const State> &best, const Interrupt &interrupt) {
+    if (interrupt.cause() == "interrupt")
+        return;
+    constexpr double a_while = 2; // [s]
+    const Cancel never;
+    const bool stopped = interrupt.exit_status() != done;
+    const RunWatch watch({stopped ? a_while : std::optional<double>(), std::nullopt}, stopped ? never : interrupt.cancel());
+    try {
+        solver.measure(&watch.cancel());
+    } catch (const Cancelled &) {
+    }
+    const double error = solver.counters().estimated_error;
+    if (best && (error < 0 || best->counters.estimated_error < error))
+        solver.restore(best);
+}
+
+std::string accuracy(const Counters &counters) {
+    return counters.estimated_error >= 0 ? "; its error is about " + error_in_words(counters) : "";
+}
 
 int run(const SolvingOptions &solving, const CommonOptions &common) {
     check_deliverable(common.output);
@@ -31,9 +57,11 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
     try {
         Solver solver(scene, solving.options, &interrupt.cancel());
         Progress progress(solving.options, common.quiet, common.verbose);
-        record.iterations = iterate(solver, solving.options.max_iterations, interrupt.cancel(), progress);
+        std::shared_ptr<const State> best;
+        record.iterations = iterate(solver, solving.options.max_iterations, interrupt.cancel(), progress, &best);
         if (solver.converged())
             interrupt.lift_limits();
+        measure(solver, best, interrupt);
         // The error is against an exact solution that takes its time: not after an interrupt.
         record.solution = solver.snapshot(interrupt.exit_status() == done);
         record.health = health(*scene, *solver.state());
@@ -46,8 +74,9 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
 
     if (const int status = interrupt.exit_status(); status != done) {
         const std::string reached = record.solution
-                                        ? fmt::format("the last complete solution, of iteration {}, was written",
-                                                      record.solution->counters.iteration)
+                                        ? fmt::format("the {} complete solution, of iteration {}, was written{}",
+                                                      solving.options.tolerance ? "most accurate" : "last",
+                                                      record.solution->counters.iteration, accuracy(record.solution->counters))
                                         : "there was no solution yet; the record says so";
         complain(interrupt.sentence() + "; " + reached);
         return status;
@@ -64,6 +93,18 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
     return done;
 }
 
+constexpr double usual_tolerance = 0.01;
+
+/// Where neither a threshold nor a tolerance is given.
+void ask_by_default(const CLI::App &parser, SolvingOptions &solving) {
+    if (parser.count("--threshold") > 0 || parser.count("--tolerance") > 0)
+        return;
+    const int depth = solving.options.max_depth;
+    solving.options = solving.options.to_tolerance(solving.limits.seconds ? 0 : usual_tolerance);
+    if (parser.count("--max-depth") > 0)
+        solving.options.max_depth = depth;
+}
+
 } // namespace
 
 Command add_solve(CLI::App &root) {
@@ -73,8 +114,13 @@ Command add_solve(CLI::App &root) {
     add_scene_options(*parser, *solving);
     add_solving_options(*parser, *solving);
     add_probe_options(*parser, *solving);
+    parser->footer("With neither --tolerance nor --threshold the tolerance is 0.01; with --time-limit alone, what comes out is as "
+                   "accurate\nas can be had in that time.");
     add_common_options(*parser, *common, "The record; standard output unless given");
-    return {parser, [=] { return run(*solving, *common); }};
+    return {parser, [=] {
+                ask_by_default(*parser, *solving);
+                return run(*solving, *common);
+            }};
 }
 
 } // namespace penumbra

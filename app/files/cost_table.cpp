@@ -38,12 +38,13 @@ std::string counter_fields(const CostPoint &point) {
 std::string cost_csv(const CostStudy &study) {
     std::string csv = "strategy,basis,order,threshold,max_depth,status,runs,seconds,seconds_min,seconds_max,patches,"
                       "coefficients,links,kernel_evaluations,error,iterations,clips,nodes_at_limit,scene,cpu,cores,"
-                      "threads,version\n";
+                      "threads,version,reference_error\n";
     for (const CostPoint &p : study.points)
-        csv += fmt::format("{},{},{},{:.6g},{},{},{},{},{},{},{},{},{},{}\n", name(p.options.strategy),
+        csv += fmt::format("{},{},{},{:.6g},{},{},{},{},{},{},{},{},{},{},{:.2g}\n", name(p.options.strategy),
                            name(p.options.basis), p.options.effective_order(), p.options.threshold,
                            p.options.max_depth, name(p.end), p.n_runs(), seconds_fields(p), counter_fields(p),
-                           quoted(study.scene), quoted(study.cpu), study.cores, study.threads, study.version);
+                           quoted(study.scene), quoted(study.cpu), study.cores, study.threads, study.version,
+                           study.reference_error);
     return csv;
 }
 

@@ -1,6 +1,7 @@
 #include "files/record.h"
 
 #include "core/parallel.h"
+#include "measure/error_estimate.h"
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -53,7 +54,8 @@ Json final_state(const Snapshot *solution) {
                  {"peak_memory_mib", peak_memory_mib()},
                  {"error", solution && solution->error >= 0 ? Json(solution->error) : Json()},
                  {"estimated_error", c.estimated_error >= 0 ? Json(c.estimated_error) : Json()},
-                 {"error_bound", c.error_bound >= 0 ? Json(c.error_bound) : Json()}};
+                 {"error_bound", c.error_bound >= 0 ? Json(c.error_bound) : Json()},
+                 {"confidence", c.error_bound >= 0 ? Json(ErrorEstimate::confidence) : Json()}};
     if (!solution)
         for (auto &[key, value] : json.items())
             value = key == "converged" ? Json(false) : Json();
@@ -83,7 +85,7 @@ std::string to_json(const Record &record) {
                        {"cut", name(record.options.cut)},
                        {"coarse_correction", name(record.options.coarse_correction)},
                        {"threshold", solution ? solution->counters.threshold : record.options.threshold},
-                       {"tolerance", record.options.tolerance ? Json(*record.options.tolerance) : Json()},
+                       {"tolerance", record.options.tolerance.value_or(0) > 0 ? Json(*record.options.tolerance) : Json()},
                        {"threads", threads()},
                        {"version", PENUMBRA_VERSION},
                        {"iterations", std::move(iterations)},

@@ -1,5 +1,6 @@
 #include "plot/cost_sheet.h"
 
+#include "core/percent.h"
 #include "plot/strategy_style.h"
 #include "study/spread.h"
 
@@ -130,6 +131,8 @@ std::vector<std::string> cost_notes(const CostStudy &study) {
         styles += fmt::format(" Seconds: median of {} runs, whiskers from the fastest to the slowest.", study.repeats);
     if (std::ranges::any_of(study.points, [](const CostPoint &p) { return is_mark(p) && p.counters.nodes_at_limit > 0; }))
         styles += " Hollow: patches met the depth limit.";
+    if (study.reference_error > 0)
+        styles += fmt::format(" Errors against a reference, itself about {} off.", percent(study.reference_error));
     notes.push_back(styles);
     if (const std::string ends = ends_in_words(study); !ends.empty()) {
         const bool crosses = std::ranges::any_of(study.points, is_cross);

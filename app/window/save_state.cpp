@@ -4,7 +4,7 @@
 #include "core/atomic_write.h"
 #include "core/error.h"
 #include "files/pictures_folder.h"
-#include "files/state_folder.h"
+#include "files/own_folders.h"
 #include "files/state_text.h"
 #include "files/write_state.h"
 

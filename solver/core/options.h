@@ -64,7 +64,8 @@ struct Options {
     /// Largest misfit that the oracle lets pass, as a fraction of the largest reflected radiosity B - E.
     double threshold = 0.02;
     /// Relative L2 error of B - E asked for, over the reflecting surfaces and all channels. Where given the solver finds its
-    /// own thresholds (iteration/tolerance_control.h), and `threshold` is not looked at.
+    /// own thresholds (iteration/tolerance_control.h), and `threshold` is not looked at. 0: as little as can be had; it goes
+    /// on until it is stopped.
     std::optional<double> tolerance;
     /// Halvings of both directions below a surface's convex part; the paper's experiment allows 6.
     int max_depth = 6;

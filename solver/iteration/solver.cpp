@@ -67,7 +67,7 @@ Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const
     setting.scene = std::move(scene);
     setting.options = options;
     setting.blockers = std::make_unique<const Blockers>(*setting.scene);
-    if (options.tolerance && !has_one_bounce(*setting.scene))
+    if (!has_one_bounce(*setting.scene))
         setting.rays = std::make_unique<const RayScene>(*setting.scene);
     if (cancel)
         cancel->check();
@@ -132,6 +132,15 @@ bool Solver::run(const Cancel *cancel) {
     while (!ended() && counters().iteration < options().max_iterations)
         step(cancel);
     return converged();
+}
+
+void Solver::measure(const Cancel *cancel) {
+    const auto &state = parts_->state;
+    if (state->counters.estimated_error >= 0 || state->counters.iteration == 0)
+        return;
+    auto measured = std::make_shared<State>(*state);
+    penumbra::measure(parts_->setting, *measured, 0, cancel);
+    parts_->state = std::move(measured);
 }
 
 Phase Solver::phase() const { return parts_->state->phase; }

@@ -31,6 +31,10 @@ public:
     /// Steps until converged or options.max_iterations. Returns whether it converged.
     bool run(const Cancel *cancel = nullptr);
 
+    /// Estimates the error of the present state from fresh points (measure/error_estimate.h) where that was not done yet;
+    /// takes no part in its time.
+    void measure(const Cancel *cancel = nullptr);
+
     Phase phase() const;
     const Counters &counters() const;
     bool converged() const { return counters().converged; }

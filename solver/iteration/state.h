@@ -19,7 +19,7 @@ struct Setting {
     std::shared_ptr<const Scene> scene;
     Options options;
     std::unique_ptr<const Blockers> blockers;
-    std::unique_ptr<const RayScene> rays{}; ///< for the error's estimate; null: none asked for, or light bounces once
+    std::unique_ptr<const RayScene> rays{}; ///< for the error's estimate; null: light bounces once
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
     double largest_reflectance() const; ///< of all surfaces and channels

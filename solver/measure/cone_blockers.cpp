@@ -12,6 +12,11 @@ void blockers_in_cone(const Vec3 &x, const PlaneFrame &receiver, const PlaneFram
                       const Blockers &blockers, const std::vector<PairBlocker> *among, std::vector<PairBlocker> &found) {
     thread_local std::vector<Vec3> outward; // normals of the cone's side planes
     outward.clear();
+    Vec3 low = x, high = x;
+    for (const Vec2 &p : polygon) {
+        low = low.cwiseMin(source.to_space(p));
+        high = high.cwiseMax(source.to_space(p));
+    }
     for (std::size_t i = 0; i < polygon.size(); ++i)
         outward.push_back((source.to_space(polygon[i]) - x)
                               .cross(source.to_space(polygon[(i + 1) % polygon.size()]) - x));
@@ -28,8 +33,8 @@ void blockers_in_cone(const Vec3 &x, const PlaneFrame &receiver, const PlaneFram
         for (const PairBlocker &b : *among)
             consider(b);
     else
-        for (std::size_t b = 0; b < blockers.all().size(); ++b)
-            consider({static_cast<int>(b), false});
+        for (const int b : blockers.near_box(low, high))
+            consider({b, false});
 }
 
 } // namespace penumbra

@@ -1,6 +1,7 @@
 #include "measure/error_estimate.h"
 
 #include "core/check.h"
+#include "core/percent.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +11,10 @@ namespace penumbra {
 
 namespace {
 
-/// The 95 % quantile of Student's t with n degrees of freedom (the last entry serves all beyond).
+/// The 99 % quantile of Student's t with n degrees of freedom (the last entry serves all beyond).
 double student_t(std::size_t n) {
-    constexpr std::array table{6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812,
-                               1.796, 1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729, 1.725};
+    constexpr std::array table{31.821, 6.965, 4.541, 3.747, 3.365, 3.143, 2.998, 2.896, 2.821, 2.764,
+                               2.718,  2.681, 2.650, 2.624, 2.602, 2.583, 2.567, 2.552, 2.539, 2.528};
     return table[std::clamp<std::size_t>(n, 1, table.size()) - 1];
 }
 
@@ -86,6 +87,11 @@ ErrorEstimate estimate_error(std::span<const std::vector<ResidualPoint>> batches
     out.bounced = root(bounced / static_cast<double>(batches.size())) / scale;
     out.noise = root(noise / static_cast<double>(batches.size())) / scale;
     return out;
+}
+
+std::string error_in_words(const Counters &counters) {
+    return percent(counters.estimated_error) + " (at most " + percent(counters.error_bound) + " with " +
+           percent(ErrorEstimate::confidence) + " confidence)";
 }
 
 } // namespace penumbra

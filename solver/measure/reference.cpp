@@ -99,10 +99,10 @@ Rgb Reference::Gather::irradiance(const Scene &scene, const Blockers &blockers, 
 Reference::Reference(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)), blockers_(std::make_unique<const Blockers>(*scene_)) {}
 
-Reference::Reference(std::shared_ptr<const Scene> scene, std::shared_ptr<const Forest> forest, Coefficients radiosity,
-                     double error)
+Reference::Reference(std::shared_ptr<const Scene> scene, ConvergedSolution solution)
     : scene_(std::move(scene)), blockers_(std::make_unique<const Blockers>(*scene_)),
-      gather_(std::make_unique<const Gather>(*scene_, std::move(forest), std::move(radiosity))), error_(error) {}
+      gather_(std::make_unique<const Gather>(*scene_, std::move(solution.forest), std::move(solution.radiosity))),
+      error_(solution.error) {}
 
 Reference::~Reference() = default;
 Reference::Reference(Reference &&) noexcept = default;

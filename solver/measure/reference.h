@@ -8,6 +8,13 @@
 
 namespace penumbra {
 
+/// A solution that was brought far enough to be gathered from.
+struct ConvergedSolution {
+    std::shared_ptr<const Forest> forest;
+    Coefficients radiosity;
+    double error = 0; ///< of a reference made from it, see Reference::error
+};
+
 /// B(x) = E + rho (what the emitters bring, each by its exact visible part + what the reflected light of a solution that
 /// was brought far enough brings), gathered at each point anew: elements and links at x have no part in it, and an error
 /// of the solution that averages out over what x sees is gone. Immutable; may be asked from several threads.
@@ -15,8 +22,7 @@ class Reference {
 public:
     /// Where light bounces once (iteration/solver.h, has_one_bounce): exact.
     explicit Reference(std::shared_ptr<const Scene> scene);
-    /// `error`: its own, as below.
-    Reference(std::shared_ptr<const Scene> scene, std::shared_ptr<const Forest> forest, Coefficients radiosity, double error);
+    Reference(std::shared_ptr<const Scene> scene, ConvergedSolution solution);
     ~Reference();
     Reference(Reference &&) noexcept;
 
@@ -35,7 +41,7 @@ private:
 };
 
 /// ||B_h - B|| / ||B - E|| in L2 over the reflecting surfaces and the three channels together, B the reference, at n_points
-/// stratified random points of B_h's elements (residual.h): for 1024 points mostly within a tenth of the integral's.
+/// stratified random points of B_h's elements (residual.h): for 4096 points mostly within a tenth of the integral's.
 double error_against(const Reference &reference, const Scene &scene, const Field &judged, int n_points,
                      const Cancel *cancel = nullptr);
 

@@ -3,13 +3,19 @@
 #include "iteration/solver.h"
 #include "measure/direct.h"
 
+#include <utility>
+
 namespace penumbra {
 
-TrueError error_against_direct_light(const std::shared_ptr<const Scene> &scene) {
+TrueError error_against(std::shared_ptr<const Scene> scene, std::shared_ptr<const Reference> reference) {
     if (!has_one_bounce(*scene))
-        return {};
+        return [scene = std::move(scene), reference = std::move(reference)](const State &state) {
+            return error_against(*reference, *scene, {state.forest, state.radiosity}, 4096);
+        };
     const auto blockers = std::make_shared<const Blockers>(*scene);
-    return [=](const State &state) { return direct_error(*scene, *blockers, state.forest, state.radiosity); };
+    return [scene = std::move(scene), blockers](const State &state) {
+        return direct_error(*scene, *blockers, state.forest, state.radiosity);
+    };
 }
 
 } // namespace penumbra

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "iteration/state.h"
+#include "measure/reference.h"
 
 #include <functional>
 #include <memory>
@@ -12,8 +13,8 @@ namespace penumbra {
 /// looked at after a complete iteration.
 using TrueError = std::function<double(const State &)>;
 
-/// Against the exact direct solution (measure/direct.h). Empty where light is reflected more than once: that takes a
-/// reference solution.
-TrueError error_against_direct_light(const std::shared_ptr<const Scene> &scene);
+/// Against the exact direct solution on a grid (measure/direct.h) where light bounces once, else against the reference
+/// at 4096 random points of each state's own (measure/reference.h).
+TrueError error_against(std::shared_ptr<const Scene> scene, std::shared_ptr<const Reference> reference);
 
 } // namespace penumbra

@@ -15,7 +15,7 @@ namespace {
 std::shared_ptr<const Scene> scene_of(const char *name) { return std::make_shared<const Scene>(open_scene(name, {})); }
 
 Reference reference_of(const std::shared_ptr<const Scene> &scene, const State &state) {
-    return {scene, std::make_shared<const Forest>(state.forest), state.radiosity, 0};
+    return {scene, {std::make_shared<const Forest>(state.forest), state.radiosity}};
 }
 
 TEST(References, OfAFurnaceIsTheClosedForm) {
@@ -25,7 +25,7 @@ TEST(References, OfAFurnaceIsTheClosedForm) {
     Coefficients radiosity = Coefficients::Zero(forest->n_coefficients, 3);
     for (const Element &e : forest->elements)
         radiosity.row(e.first).setConstant(1.875);
-    const Reference reference(scene, forest, radiosity, 0);
+    const Reference reference(scene, {forest, radiosity});
     for (int s = 0; s < scene->n_surfaces(); ++s)
         for (const double t : {0.03, 0.5, 0.9}) {
             const Surface &surface = scene->surface(SurfaceId(s));

@@ -41,9 +41,9 @@ TEST(CostCsv, IsALineForEachPoint) {
     ASSERT_EQ(csv.size(), 2U);
     EXPECT_EQ(csv[0], "strategy,basis,order,threshold,max_depth,status,runs,seconds,seconds_min,seconds_max,patches,"
                       "coefficients,links,kernel_evaluations,error,iterations,clips,nodes_at_limit,scene,cpu,cores,threads,"
-                      "version");
+                      "version,reference_error");
     EXPECT_EQ(csv[1], "uniform-wavelet,planar,4,0.002,12,done,3,0.5,0.25,4,7,70,9,12345678901,0.00125,5,11,2,a scene,"
-                      "CPU 9,8,4,1.2.3");
+                      "CPU 9,8,4,1.2.3,0");
 }
 
 TEST(CostCsv, WhatIsNotKnownIsEmptyAndAllLinesHaveAllFields) {
@@ -61,7 +61,7 @@ TEST(CostCsv, WhatIsNotKnownIsEmptyAndAllLinesHaveAllFields) {
     const auto csv = lines(cost_csv({"s", "", 1, 1, "", 3, {}, {stopped, untried, nothing}}));
     ASSERT_EQ(csv.size(), 4U);
     for (const std::string &line : csv)
-        EXPECT_EQ(std::ranges::count(line, ','), 22) << line;
+        EXPECT_EQ(std::ranges::count(line, ','), 23) << line;
     EXPECT_THAT(csv[1], testing::HasSubstr(",time limit,0,2.5,2.5,2.5,7,"));
     EXPECT_THAT(csv[2], testing::HasSubstr(",not tried,0,,,,,,,,,,,,s,,1,1,"));
     EXPECT_THAT(csv[3], testing::HasSubstr(",failed,0,0.125,0.125,0.125,,,,,,,,,s,,1,1,"));

@@ -76,10 +76,40 @@ TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
         EXPECT_EQ(result.status, 2) << option;
         EXPECT_THAT(result.err, HasSubstr("still to come")) << option;
     }
-    const Result result = run("cost stairs -o x");
-    EXPECT_EQ(result.status, 2) << "no reference for more than one bounce";
-    EXPECT_THAT(result.err, HasSubstr("still to come"));
-    EXPECT_FALSE(fs::exists(folder / "x"));
+}
+
+TEST_F(CommandLine, UnlessAskedOtherwiseTheErrorIsBelowOneInAHundred) {
+    EXPECT_EQ(run("solve slanted-edge -q -o r.json").status, 0);
+    const auto found = record("r.json");
+    EXPECT_EQ(found["tolerance"], 0.01);
+    EXPECT_LT(found["final"]["error"], 0.01);
+    EXPECT_LT(found["final"]["estimated_error"], 0.01);
+    EXPECT_EQ(found["final"]["confidence"], 0.99);
+    EXPECT_EQ(run("solve slanted-edge --threshold 0.1 -q -o t.json").status, 0);
+    const auto by_threshold = record("t.json");
+    EXPECT_EQ(by_threshold["tolerance"], nullptr);
+    EXPECT_EQ(by_threshold["threshold"], 0.1);
+    EXPECT_GT(by_threshold["final"]["estimated_error"], 0) << "is estimated in any case";
+}
+
+TEST_F(CommandLine, ATimeLimitAloneIsABudget) {
+    // Far more than the first settled states take, far less than rounding would.
+    const Result result = run("solve cornell-box --time-limit 3 -o r.json");
+    EXPECT_EQ(result.status, 4);
+    EXPECT_THAT(result.err, HasSubstr("most accurate complete solution"));
+    EXPECT_THAT(result.err, HasSubstr("its error is about"));
+    const auto found = record("r.json");
+    EXPECT_EQ(found["tolerance"], nullptr);
+    EXPECT_EQ(found["stopped_by"], "time limit");
+    const double reached = found["final"]["estimated_error"];
+    EXPECT_GT(reached, 0);
+    int measured = 0;
+    for (const auto &i : found["iterations"])
+        if (!i["estimated_error"].is_null()) {
+            ++measured;
+            EXPECT_LE(reached, i["estimated_error"]);
+        }
+    EXPECT_GT(measured, 0);
 }
 
 TEST_F(CommandLine, AToleranceOutOfReachIsSaidWithWhatWasReached) {
@@ -195,7 +225,7 @@ TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
     EXPECT_EQ(json["threads"], 1);
     EXPECT_EQ(json["final"]["converged"], true);
     EXPECT_EQ(json["diagnostics"]["non_finite"], 0);
-    EXPECT_TRUE(json["tolerance"].is_null());
+    EXPECT_EQ(json["tolerance"], 0.01);
 }
 
 TEST_F(CommandLine, TheRecordSaysHowItWasCut) {

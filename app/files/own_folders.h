@@ -9,4 +9,7 @@ namespace penumbra {
 /// specification asks.
 std::filesystem::path state_folder();
 
+/// What can be made again: $XDG_CACHE_HOME/penumbra, else $HOME/.cache/penumbra, by the same rule.
+std::filesystem::path cache_folder();
+
 } // namespace penumbra
