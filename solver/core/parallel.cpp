@@ -2,11 +2,11 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #ifdef PENUMBRA_JTHREADS
 #include <exception>
-#include <mutex>
 #include <vector>
 #else
 #include <tbb/blocked_range.h>
@@ -60,7 +60,9 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)> &body) {
 
 void set_threads(int n) {
     // TBB starts no more workers than there are cores, and complains on standard error, unless told that more are meant.
+    static std::mutex mutex; // guards limit
     static std::unique_ptr<tbb::global_control> limit;
+    const std::lock_guard lock(mutex);
     if (n_threads.exchange(n) == n)
         return;
     limit.reset(); // several at a time: the least would hold

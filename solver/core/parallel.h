@@ -6,7 +6,7 @@
 
 namespace penumbra {
 
-/// Number of threads that later loops use; 0 means all cores. Set before solving, from one thread.
+/// Number of threads that later loops use, of all callers; 0 means all cores. From any thread.
 void set_threads(int n);
 int threads();
 
