@@ -1,5 +1,7 @@
 #include "gui/process.h"
 
+#include "sanitizers/time_factor.h"
+
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -73,7 +75,7 @@ bool Process::running() {
 }
 
 int Process::wait(double seconds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(time_factor * seconds);
     while (running()) {
         if (std::chrono::steady_clock::now() > end)
             return -1;

@@ -22,7 +22,8 @@ public:
     Process &operator=(const Process &) = delete;
 
     bool running();
-    /// Waits for its end and returns its exit status, -1 after `seconds` without one, 128 + n when signal n ended it.
+    /// Waits for its end and returns its exit status, 128 + n when signal n ended it; -1 after `seconds`, times
+    /// time_factor, without one.
     int wait(double seconds);
     pid_t id() const { return id_; }
     /// Processor time that it has used [s].

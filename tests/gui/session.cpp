@@ -1,5 +1,7 @@
 #include "gui/session.h"
 
+#include "sanitizers/time_factor.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -54,6 +56,8 @@ Session::Session(std::vector<std::string> arguments, int width, int height) {
 Session::~Session() {
     program_.reset();
     screen_.reset();
+    for (const char *report : {"Sanitizer:", "runtime error:"})
+        EXPECT_EQ(log().find(report), std::string::npos) << log();
     std::error_code ignored;
     std::filesystem::remove_all(root_, ignored);
 }
@@ -64,7 +68,7 @@ Json Session::state() const {
 }
 
 Json Session::wait_until(const std::string &what, const std::function<bool(const Json &)> &holds, double seconds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(time_factor * seconds);
     for (;;) {
         Json now = state();
         if (now.contains("scene") && holds(now))
@@ -98,7 +102,7 @@ void Session::xdotool(std::vector<std::string> words) const {
 void Session::key(const std::string &name) {
     const int before = state().value("inputs", 0);
     xdotool({"key", name});
-    for (int i = 0; i < 1000 && program_->running() && state().value("inputs", 0) == before; ++i)
+    for (int i = 0; i < 1000 * time_factor && program_->running() && state().value("inputs", 0) == before; ++i)
         sleep(0.005);
 }
 

@@ -26,13 +26,15 @@ class Session {
 public:
     /// Starts the viewer and waits until its first picture is there. HOME and all XDG folders are new and empty.
     explicit Session(std::vector<std::string> arguments = {}, int width = 1280, int height = 800);
+    /// Ends it; the test fails when a sanitizer's report stands in the program's log.
     ~Session();
     Session(const Session &) = delete;
     Session &operator=(const Session &) = delete;
 
     /// The last state that was written.
     Json state() const;
-    /// Waits until it holds; fails the test with `what` and the last state when it does not within `seconds`.
+    /// Waits until it holds; fails the test with `what` and the last state when it does not within `seconds`, times
+    /// time_factor.
     Json wait_until(const std::string &what, const std::function<bool(const Json &)> &holds, double seconds = 30);
     /// Waits until nothing is computed and nothing changes any more.
     Json settled();

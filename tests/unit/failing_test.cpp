@@ -1,9 +1,11 @@
 // What can go wrong around the program: one line, a meaningful status, the last complete result, and no part of a file.
 #include "core/error.h"
 #include "core/read_text.h"
+#include "sanitizers/time_factor.h"
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -61,7 +63,7 @@ protected:
             ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
             ::_exit(99);
         }
-        std::this_thread::sleep_for(after);
+        std::this_thread::sleep_for(time_factor * after);
         const auto start = std::chrono::steady_clock::now();
         ::kill(child, signal);
         int status = 0;
@@ -159,10 +161,12 @@ const char *const slow = " cornell-box --threshold 1e-7 --max-depth 12 -q ";
 /// The first iterations take moments, later ones minutes. Within a tenth of a second, and as much again for the start
 /// and the record; a busy machine may hold up one run or the other.
 TEST_F(Failing, TheTimeLimitInTheMiddleOfAStep) {
+    const std::string limit = std::to_string(std::lround(time_factor)); // [s]
     double least = 1e9;
     for (int i = 0; i < 3; ++i) {
-        const Result result = run("solve" + std::string(slow) + "--time-limit 1 -o r.json");
-        expect_one_line(result, 4, "the time limit of 1 s stopped it; the last complete solution, of iteration ",
+        const Result result = run("solve" + std::string(slow) + "--time-limit " + limit + " -o r.json");
+        expect_one_line(result, 4,
+                        "the time limit of " + limit + " s stopped it; the last complete solution, of iteration ",
                         "solve");
         least = std::min(least, result.seconds);
         const auto json = record("r.json");
@@ -172,15 +176,18 @@ TEST_F(Failing, TheTimeLimitInTheMiddleOfAStep) {
         EXPECT_EQ(json["final"]["patches"], json["iterations"].back()["patches"]) << "what was reached";
         EXPECT_THAT(result.err, HasSubstr("iteration " + std::to_string(json["iterations"].size()) + ","));
     }
-    EXPECT_GT(least, 1);
-    EXPECT_LT(least, 1.2);
+    EXPECT_GT(least, time_factor);
+    EXPECT_LT(least, 1.2 * time_factor);
     EXPECT_THAT(files(), testing::ElementsAre("r.json"));
 }
 
 TEST_F(Failing, TheTimeLimitOfAPicture) {
-    const Result result = run("render" + std::string(slow) + "--size 128x96 --time-limit 1 -o a.png");
-    expect_one_line(
-        result, 4, "the time limit of 1 s stopped it; the picture shows the last complete solution, of iteration ", "");
+    const std::string limit = std::to_string(std::lround(time_factor)); // [s]
+    const Result result = run("render" + std::string(slow) + "--size 128x96 --time-limit " + limit + " -o a.png");
+    expect_one_line(result, 4,
+                    "the time limit of " + limit +
+                        " s stopped it; the picture shows the last complete solution, of iteration ",
+                    "");
     EXPECT_GT(fs::file_size(work() / "a.png"), 1000u);
 }
 
@@ -226,7 +233,7 @@ TEST_F(Failing, SignalsKeepTheLastCompleteResult) {
     for (const auto &[signal, status] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
         const Result solved = run_and_signal("solve" + std::string(slow) + "-o r.json", signal, milliseconds(1200));
         expect_one_line(solved, status, "interrupted; the last complete solution, of iteration ", "solve");
-        EXPECT_LT(solved.seconds, 1);
+        EXPECT_LT(solved.seconds, time_factor);
         EXPECT_EQ(record("r.json")["stopped_by"], "interrupt");
         const Result drawn =
             run_and_signal("render" + std::string(slow) + "--size 128x96 -o a.png", signal, milliseconds(1200));
@@ -268,7 +275,7 @@ TEST_F(Failing, AFileThatIsWrittenToIsReadWholeOrRefused) {
     int n_refused = 0, n_mixed = 0;
     {
         const Rewriter rewriter(file, texts);
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+        const auto end = std::chrono::steady_clock::now() + 10 * time_factor * std::chrono::seconds(1);
         for (int i = 0; i < 400 || (n_refused == 0 && std::chrono::steady_clock::now() < end); ++i)
             try {
                 const std::string read = read_bytes(file, 1 << 20);
