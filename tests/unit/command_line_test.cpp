@@ -327,7 +327,7 @@ int status_after(int signal, const std::string &command, double *seconds) {
         ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
         ::_exit(99);
     }
-    std::this_thread::sleep_for(time_factor * std::chrono::milliseconds(1500));
+    std::this_thread::sleep_for(penumbra::time_factor * std::chrono::milliseconds(1500));
     const auto start = std::chrono::steady_clock::now();
     ::kill(child, signal);
     int status = 0;
@@ -340,7 +340,7 @@ TEST_F(CommandLine, InterruptsStillWriteTheLastCompleteSolution) {
     double seconds = 0;
     const std::string slow = "solve cornell-box --threshold 1e-7 --max-depth 12 -o ";
     EXPECT_EQ(status_after(SIGINT, in_folder(slow + "int.json"), &seconds), 130);
-    EXPECT_LT(seconds, 2 * time_factor);
+    EXPECT_LT(seconds, 2 * penumbra::time_factor);
     EXPECT_EQ(record("int.json")["final"]["converged"], false);
     EXPECT_EQ(status_after(SIGTERM, in_folder(slow + "term.json"), &seconds), 143);
     EXPECT_TRUE(record("term.json").contains("final"));
