@@ -61,7 +61,8 @@ void add_rows(const std::string &name, const std::vector<double> &tolerances, do
     const TrueError error = error_against(scene, reference);
     for (std::size_t i = 0; i < solved.size(); ++i) {
         const Counters &c = solved[i]->counters;
-        const double measured = error(*solved[i]);
+        const double measured = reference ? error_against(*reference, *scene, {solved[i]->forest, solved[i]->radiosity}, 16384)
+                                          : error(*solved[i]);
         ++verdicts.runs;
         verdicts.delivered += measured <= asked[i];
         verdicts.frugal += measured > 0.1 * asked[i];
