@@ -21,6 +21,9 @@ double Setting::largest_reflectance() const {
 }
 
 Transport Setting::transport(double threshold, const Cancel *cancel) const {
+    // On the way to a tolerance links of the first, loose thresholds stay to the end.
+    if (options.tolerance)
+        threshold = std::min(threshold, *options.tolerance > 0 ? 2 * *options.tolerance : 1e-3);
     const double accuracy = std::clamp(0.1 * threshold, 1e-7, 1e-2);
     const double share = std::min(1.0, 10 * (1 - largest_reflectance()));
     return {*scene, *blockers, accuracy, std::max(accuracy * share, 1e-9), cancel};

@@ -23,7 +23,8 @@ struct Setting {
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
     double largest_reflectance() const; ///< of all surfaces and channels
-    /// Links are made to a tenth of the threshold in force. What they miss is reflected again and again, 1 / (1 - rho) times in all:
+    /// Links are made to a tenth of the threshold in force, or of twice the tolerance (0.001 where that is 0) if that
+    /// is smaller. What they miss is reflected again and again, 1 / (1 - rho) times in all:
     /// beyond a reflectance of 0.9 what a constant source brings gets the digits that this takes. Details of radiosity are
     /// of the size of the first bounces; what they bring is not worth it.
     Transport transport(double threshold, const Cancel *cancel) const;
