@@ -190,6 +190,8 @@ Estimate imbalance(const Scene &scene, const State &state, double rays) {
     return out;
 }
 
+} // namespace
+
 std::vector<Measurement> balance(const Scene &scene, const State &state) {
     constexpr double largest_error = 0.001;
     Estimate found;
@@ -202,21 +204,20 @@ std::vector<Measurement> balance(const Scene &scene, const State &state) {
             {"standard error of the imbalance", found.error.maxCoeff(), largest_error}};
 }
 
-} // namespace
-
 std::vector<Measurement> properties(const Scene &scene, const Options &options, const State &state) {
     std::vector<Measurement> out{finite(state),
                                  not_below_black(scene, options, state),
                                  {"fixed point missed", state.counters.converged ? 0.0 : 1.0, 0}};
-    for (const auto &more : {reciprocity(scene, options, state), balance(scene, state)})
-        out.insert(out.end(), more.begin(), more.end());
+    const auto more = reciprocity(scene, options, state);
+    out.insert(out.end(), more.begin(), more.end());
     return out;
 }
 
-Measurement agreement(const Scene &scene, const Options &options, const State &parametric, const State &planar) {
-    const double peak = std::max(parametric.peak, planar.peak);
-    return {"difference of the two bases, of the peak",
-            peak > 0 ? reference::root_mean_square_difference(scene, parametric, planar) / peak : 0, options.threshold};
+Measurement agreement(const Scene &scene, const State &parametric, const State &planar) {
+    const double reflected = reference::root_mean_square_reflected(scene, parametric);
+    return {"difference of the two bases, of the reflected",
+            reflected > 0 ? reference::root_mean_square_difference(scene, parametric, planar) / reflected : 0,
+            parametric.counters.error_limit + planar.counters.error_limit};
 }
 
 } // namespace penumbra

@@ -16,15 +16,17 @@ namespace penumbra {
 /// of what the two fits miss at their test points (K_00 of a clear pair is off by an eighth of that at most,
 /// tests/agreement/links_test.cpp); and so do the sums over all links between two surfaces. In the parametric family
 /// only parallelograms have it. Surfaces with covers and links too weak to be tested are left out.
-///
-/// Balance: emitted = absorbed + lost, in each channel, within 0.5 % of what is emitted. The lost part (out of the
-/// scene, onto backs, onto black surfaces) and the areas that covers leave are found by rays against all polygons
-/// (reference/rays.h) in sixteen batches with random places, whose scatter gives the standard error; 256000 rays or
-/// more, until that is below 0.1 %.
 std::vector<Measurement> properties(const Scene &scene, const Options &options, const State &state);
 
-/// Root mean square difference of two solutions as a fraction of the largest reflected radiosity; at most the
-/// threshold.
-Measurement agreement(const Scene &scene, const Options &options, const State &parametric, const State &planar);
+/// The balance of energy: emitted = absorbed + lost, in each channel, within 0.5 % of what is emitted. The lost part (out of the
+/// scene, onto backs, onto black surfaces) and the areas that covers leave are found by rays against all polygons
+/// (reference/rays.h) in sixteen batches with random places, whose scatter gives the standard error; 256000 rays or
+/// more, until that is below 0.1 %. What is emitted is small beside what is reflected in a bright closed room: a solution
+/// within 0.5 % of B - E balances to that, one of a coarse threshold need not.
+std::vector<Measurement> balance(const Scene &scene, const State &state);
+
+/// Root mean square difference of two solutions whose errors were measured, as a fraction of B - E's root mean square; at
+/// most the sum of their errors' upper limits.
+Measurement agreement(const Scene &scene, const State &parametric, const State &planar);
 
 } // namespace penumbra
