@@ -3,8 +3,10 @@
 #include "core/random.h"
 #include "iteration/coarse_correction.h"
 #include "measure/leaf_at.h"
+#include "measure/reflected_gather.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace penumbra {
@@ -52,9 +54,9 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
                             const Cancel *cancel, Work &work) {
     constexpr double left_out = 1.1; // by a correction that takes r as constant on each surface; see the header
     constexpr std::size_t most_batches = 512;
-    constexpr int most_strata = 128;
-    const Solution solution{*setting.scene, *setting.blockers, setting.rays.get(), state.forest, state.radiosity};
+    Solution solution{*setting.scene, *setting.blockers, setting.rays.get(), state.forest, state.radiosity};
     const double size = reflected_square(*setting.scene, state.forest, state.radiosity);
+    std::optional<ReflectedGather> gather;
     ResidualSampling sampling;
     Batches batches;
     std::int64_t n_rays = 0;
@@ -75,10 +77,11 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
         const bool far_below = e.upper < goal / 30; // below a tenth: more than was asked for, however much
         if (known || far_above || far_below || batches.size() >= most_batches)
             return e;
-        if (setting.rays && e.noise > std::max(e.residual, 0.3 * goal) && sampling.n_strata < most_strata) {
-            // Their noise is all that these points show.
+        if (e.noise > std::max(e.residual, 0.3 * goal)) {
+            // The rays' noise is all that these points show.
             batches.clear();
-            sampling.n_strata *= 2;
+            gather.emplace(*setting.scene, *setting.blockers, state.forest, state.radiosity);
+            solution.gather = &*gather;
         } else {
             sampling.n_batches = static_cast<int>(std::max<std::size_t>(batches.size(), 8));
         }

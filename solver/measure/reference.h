@@ -33,10 +33,10 @@ public:
     double error() const { return error_; }
 
 private:
-    struct Gather;
     std::shared_ptr<const Scene> scene_;
     std::unique_ptr<const Blockers> blockers_;
-    std::unique_ptr<const Gather> gather_; ///< null where light bounces once
+    std::shared_ptr<const Forest> forest_;
+    std::unique_ptr<const ReflectedGather> gather_; ///< null where light bounces once
     double error_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "measure/direct.h"
 #include "measure/leaf_at.h"
+#include "measure/reflected_gather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +122,11 @@ std::vector<std::vector<ResidualPoint>> sample_residual(const Solution &solution
         p.first = p.second = direct;
         if (!solution.rays)
             return;
+        if (solution.gather) {
+            p.first += rho * solution.gather->irradiance(p.surface, p.at, done[i]);
+            p.second = p.first;
+            return;
+        }
         for (const auto &[gather, stream] : {std::pair(&p.first, 2 * i), std::pair(&p.second, 2 * i + 1)})
             *gather += rho * reflected_irradiance(solution, p.surface, p.at, sampling.n_strata,
                                                   mixed(sampling.seed + 1), stream, done[i]);

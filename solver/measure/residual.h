@@ -12,6 +12,8 @@
 
 namespace penumbra {
 
+class ReflectedGather;
+
 /// A solution B_h and the scene that it is of.
 struct Solution {
     const Scene &scene;
@@ -19,6 +21,7 @@ struct Solution {
     const RayScene *rays; ///< null: no reflector's light reaches another
     const Forest &forest;
     const Coefficients &radiosity;
+    const ReflectedGather *gather = nullptr; ///< takes the rays' place where given
 };
 
 /// Radiosity on the elements of the same scene.
@@ -50,7 +53,8 @@ std::vector<std::vector<ResidualPoint>> draw_points(const Scene &scene, const Fi
 
 /// What `judged` (B_h) lacks at fresh random points of what the light of `solution` (B) makes of them; with B = B_h, the
 /// residual of B_h. Gathered are the exact visible part of every emitter (direct.h), and B - E of what rays meet,
-/// cosine-weighted and one in each stratum of directions: links have no part in it. Cancellable.
+/// cosine-weighted and one in each stratum of directions, or, without noise, by solution.gather: links have no part in
+/// either. Cancellable.
 std::vector<std::vector<ResidualPoint>> sample_residual(const Solution &solution, const Field &judged,
                                                         const ResidualSampling &sampling, const Cancel *cancel,
                                                         Work &work);
