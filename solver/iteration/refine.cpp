@@ -292,7 +292,12 @@ private:
         for (std::size_t e = 0; e < state_.forest.elements.size(); ++e) {
             const Element &element = state_.forest.elements[e];
             for (const auto &interaction : state_.interactions[e])
-                c.links += static_cast<std::int64_t>(interaction->links.size());
+                for (const Link &link : interaction->links) {
+                    ++c.links;
+                    c.link_coefficients += link.kernel.size();
+                    c.link_bytes += static_cast<std::int64_t>(
+                        sizeof(Link) + sizeof(double) * static_cast<std::size_t>(link.kernel.size() + link.misfit.size()));
+                }
             if (!element.leaf() || !scene_.reflects(element.surface))
                 continue;
             ++c.patches;

@@ -1,0 +1,123 @@
+#include "study/price.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace penumbra {
+
+namespace {
+
+constexpr double scatter = 0.3; // of a price's logarithm: of time on a busy machine, of patches from step to step
+
+/// Logarithm of 1/error, and of one part of the price at it.
+struct Sample {
+    double x, y;
+};
+using Samples = std::vector<Sample>;
+
+/// By x; of one and the same x their mean.
+Samples in_order(Samples samples) {
+    std::ranges::sort(samples, {}, &Sample::x);
+    Samples out;
+    for (std::size_t i = 0; i < samples.size();) {
+        double sum = 0;
+        std::size_t j = i;
+        for (; j < samples.size() && samples[j].x <= samples[i].x + 1e-9; ++j)
+            sum += samples[j].y;
+        out.push_back({samples[i].x, sum / static_cast<double>(j - i)});
+        i = j;
+    }
+    return out;
+}
+
+double fitted_exponent(const Samples &samples, double usual, double spread) {
+    const auto n = static_cast<double>(samples.size());
+    double x = 0, y = 0;
+    for (const Sample &s : samples) {
+        x += s.x / n;
+        y += s.y / n;
+    }
+    double xx = 0, xy = 0;
+    for (const Sample &s : samples) {
+        xx += (s.x - x) * (s.x - x);
+        xy += (s.x - x) * (s.y - y);
+    }
+    const double data = 1 / (scatter * scatter), prior = 1 / (spread * spread);
+    return std::max(0.0, (xy * data + usual * prior) / (xx * data + prior));
+}
+
+double predicted(const Samples &samples, double exponent, double x) {
+    const auto after = std::ranges::lower_bound(samples, x, {}, &Sample::x);
+    if (after == samples.begin() || after == samples.end()) {
+        const Sample &nearest = after == samples.end() ? samples.back() : samples.front();
+        return nearest.y + exponent * (x - nearest.x);
+    }
+    const Sample &a = *(after - 1), &b = *after;
+    return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+}
+
+/// The threshold of a solution to this tolerance, in the same proportion as in the most accurate one so far.
+double threshold_for(std::span<const PricePaid> paid, double tolerance) {
+    const PricePaid *finest = nullptr;
+    for (const PricePaid &p : paid)
+        if (p.threshold > 0 && (!finest || p.error < finest->error))
+            finest = &p;
+    return finest ? finest->threshold / finest->error * tolerance : tolerance;
+}
+
+} // namespace
+
+std::optional<PricePaid> price_paid(const Options &options, const Counters &c, double true_error) {
+    PricePaid paid{0, 0, {c.seconds, static_cast<double>(c.link_bytes), static_cast<double>(c.patches)}};
+    if (!options.tolerance) {
+        paid.error = c.settled ? true_error : 0;
+        paid.threshold = c.threshold;
+    } else if (c.converged) {
+        paid.error = *options.tolerance;
+        paid.threshold = c.threshold;
+    } else {
+        paid.error = c.error_limit; // its threshold has been lowered since
+    }
+    if (!(paid.error > 0 && c.seconds > 0))
+        return std::nullopt;
+    return paid;
+}
+
+std::optional<Price> predict_price(std::span<const PricePaid> paid, const PriceGrowth &usual, double tolerance) {
+    if (paid.empty() || !(tolerance > 0))
+        return std::nullopt;
+    const auto log_fine_links = [&](double error) {
+        return threshold_for(paid, error) < fine_threshold ? std::log(usual.fine_links) : 0;
+    };
+    const auto part = [&](double Price::*of, double exponent, bool with_fine_links) {
+        Samples samples;
+        for (const PricePaid &p : paid)
+            samples.push_back({-std::log(p.error), std::log(std::max(p.price.*of, 1e-9)) -
+                                                       (with_fine_links ? log_fine_links(p.error) : 0)});
+        samples = in_order(std::move(samples));
+        const double y = predicted(samples, fitted_exponent(samples, exponent, usual.spread), -std::log(tolerance));
+        return std::exp(y + (with_fine_links ? log_fine_links(tolerance) : 0));
+    };
+    return Price{part(&Price::seconds, usual.seconds, true), part(&Price::bytes, usual.bytes, false),
+                 part(&Price::patches, usual.patches, false)};
+}
+
+PriceGrowth usual_growth(const Options &options, bool one_bounce) {
+    // By order, then uniform or cut, then reflected again or one bounce: seconds, bytes, patches.
+    using Exponents = std::array<double, 3>;
+    static constexpr Exponents measured[4][2][2]{
+        {{{1.5, 2.9, 2.0}, {2.0, 2.0, 2.0}}, {{1.5, 2.9, 2.0}, {1.3, 2.0, 2.0}}},
+        {{{0.7, 1.5, 1.05}, {1.0, 1.3, 1.3}}, {{0.73, 1.4, 1.05}, {0.42, 1.0, 1.0}}},
+        {{{0.5, 0.95, 0.65}, {0.57, 1.2, 1.2}}, {{0.8, 1.15, 0.9}, {0.35, 0.8, 0.8}}}, // uniform: order 4's
+        {{{0.5, 0.95, 0.65}, {0.57, 1.2, 1.2}}, {{0.65, 1.1, 0.8}, {0.15, 0.55, 0.55}}}};
+    const int order = options.effective_order();
+    const Exponents &e = measured[order - 1][cuts_along_curves(options.strategy)][one_bounce];
+    PriceGrowth growth{.seconds = e[0], .bytes = e[1], .patches = e[2]};
+    if (order > 1 && !one_bounce)
+        growth.fine_links = 4.8; // measured at order 4
+    return growth;
+}
+
+} // namespace penumbra
