@@ -115,8 +115,7 @@ void go(State &s) {
 }
 constexpr int next_phase(int p) { return p + 1; }
 constexpr int previous_phase(int p) { return p - 1; }
-/// Far beyond any number of iterations; the position stays at the end once that is known.
-constexpr int far_ahead(int) { return 1'000'000; }
+constexpr int to_the_end(int) { return far_ahead; }
 
 const std::vector<Action> &list() {
     static const std::vector<Action> all{
@@ -142,7 +141,7 @@ const std::vector<Action> &list() {
         {"solve.sub_back", Menu::solve, "Previous phase", "One phase back.", {"Shift+Left"}, go<previous_phase>,
          can_go_back},
         {"solve.reset", Menu::solve, "Reset", "Back to the start.", {"Home"}, reset, can_go_back},
-        {"solve.end", Menu::solve, "To the end", "Iterates until nothing changes any more.", {"End"}, go<far_ahead>,
+        {"solve.end", Menu::solve, "To the end", "Iterates until nothing changes any more.", {"End"}, go<to_the_end>,
          can_go_on},
         {"solve.cancel", Menu::solve, "Cancel", "Stops the solver; the last complete state stays.", {"Escape"}, cancel},
 
@@ -190,6 +189,9 @@ const std::vector<Action> &list() {
          use_inspector<Inspector::filters>, has_scene, uses_inspector<Inspector::filters>},
         {"view.hard_cases", Menu::view, "Hard cases", "The shelf of small scenes that are hard to solve, and their checks.",
          {"H"}, use_inspector<Inspector::hard_cases>, nullptr, uses_inspector<Inspector::hard_cases>},
+        {"view.cost", Menu::view, "Cost of accuracy",
+         "Plots the error against seconds or work as one steps; a click on a point goes back to it.", {"A"},
+         use_inspector<Inspector::cost>, has_scene, uses_inspector<Inspector::cost>},
         {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop, in all panes.", {"E"},
          [](State &s) { change_exposure(s, 0.5); }},
         {"view.darker", Menu::view, "Darker", "Exposure down by half a stop, in all panes.", {"Shift+E"},

@@ -4,6 +4,8 @@
 
 #include "iteration/split_filters.h"
 #include "measure/keyhole.h"
+#include "plot/cost_measure.h"
+#include "price_book.h"
 #include "render/camera.h"
 #include "render/event_words.h"
 #include "render/look.h"
@@ -68,7 +70,7 @@ struct KeyholeMode {
 };
 
 /// What stands at the right of the panes.
-enum class Inspector { none, filters, hard_cases };
+enum class Inspector { none, filters, hard_cases, cost };
 
 struct SurfacePoint {
     int surface = 0;
@@ -91,8 +93,12 @@ struct AppState {
     // What is solved.
     std::shared_ptr<const Scene> scene;
     Options options;       ///< of all strategies; its own strategy is not looked at
+    double asked_tolerance = 0.01; ///< the last one, or what a solution is asked for when the tolerance is chosen
     std::uint64_t run = 1; ///< grows when scene or options change, which starts every solution anew
     std::array<Timeline, 4> timelines; ///< by strategy, of the present run
+
+    PriceBook prices; ///< of the runs before the present one, on the same scene
+    std::optional<double> tolerance_in_hand; ///< while its slider is moved
 
     // Where it stands.
     int position = 0;      ///< asked for, see timeline.h; equal in all panes
@@ -122,6 +128,7 @@ struct AppState {
     KeyholeMode keyhole;
     Inspector inspector = Inspector::none;
     Microscope microscope;
+    CostMeasure cost_measure = CostMeasure::seconds; ///< of the plot of costs and its bars
     Shelf shelf;
     std::optional<Vec3> keyhole_to_open; ///< came with a state; looked from as soon as something is known
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins

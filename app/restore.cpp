@@ -28,6 +28,7 @@ void restore(AppState &state, const SavedState &saved) {
     const int threads = state.options.threads;
     state.options = saved.options;
     state.options.threads = threads;
+    state.asked_tolerance = saved.options.tolerance.value_or(state.asked_tolerance);
     restore_panes(state, saved);
     state.position = saved.position;
     state.hint_done = state.hint_done || saved.position > 0;

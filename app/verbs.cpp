@@ -4,6 +4,7 @@
 #include "restore.h"
 
 #include <algorithm>
+#include <cctype>
 #include <type_traits>
 
 namespace penumbra {
@@ -26,8 +27,16 @@ bool all_reached(const AppState &state) {
     return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.timeline(s).reached(state.position); });
 }
 
+std::string as_sentence(std::string words) {
+    if (!words.empty())
+        words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words + ".";
+}
+
 std::string end_sentence(const AppState &state) {
     const auto snapshot = state.timeline(state.active_strategy()).at(end_position(state));
+    if (snapshot && (snapshot->counters.exhausted || (snapshot->options.tolerance && snapshot->counters.converged)))
+        return as_sentence(snapshot->sentence); // which tells the error
     if (snapshot && snapshot->counters.converged)
         return "Converged: another step would change nothing.";
     return "At the last iteration that is allowed.";
@@ -41,6 +50,9 @@ void tell(AppState &state) {
 
 void start_anew(AppState &state) {
     ++state.run;
+    for (const Timeline &timeline : state.timelines)
+        state.prices.keep(timeline);
+    state.prices.predicted = {};
     state.timelines = {};
     state.busy.reset();
     state.under_cursor.reset();
@@ -62,6 +74,7 @@ void apply(AppState &state, const Opened &opened) {
     state.playing = false;
     state.position = 0;
     start_anew(state);
+    state.prices = {};
     if (!same)
         state.camera_is_set = false;
     const std::vector<std::string> notes = opened.file.notes();

@@ -14,6 +14,8 @@ std::optional<Goal> goal(const AppState &state);
 /// Asks for another position (never below 0), for all panes. Beyond the end of every shown solution there is nothing:
 /// the position stays there and the message says why.
 void go_to(AppState &state, int position);
+/// A position beyond any number of iterations; the state stays at the end once that is known.
+inline constexpr int far_ahead = 1'000'000;
 /// Whether every shown strategy has come to its end at or before the position.
 bool at_end(const AppState &state);
 /// Goes on by one phase when playing, all panes have arrived and the pace allows. Returns how long to wait until it

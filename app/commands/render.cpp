@@ -154,7 +154,7 @@ void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Prog
     iterate(solver, position / phases_per_iteration, cancel, progress);
     const auto complete = solver.state();
     try {
-        for (int i = 0; i < position % phases_per_iteration && !solver.converged() && !cancel.raised(); ++i)
+        for (int i = 0; i < position % phases_per_iteration && !solver.ended() && !cancel.raised(); ++i)
             solver.sub_step(&cancel);
     } catch (const Cancelled &) {
         solver.restore(complete);
@@ -181,6 +181,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     spec.legend = options.legend;
     spec.columns = options.panes.size() > 1 ? 2 : 1;
     bool converged = true;
+    std::string out_of_reach; // why, where a solution cannot come to the tolerance
     double tracing = 0;
     for (const Strategy strategy : options.panes.empty() ? std::vector{solving.options.strategy} : options.panes) {
         Options o = solving.options;
@@ -194,6 +195,8 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
             converged &= solver.converged();
             const std::string tag = options.panes.empty() ? "" : tag_of(strategy);
             spec.panes.push_back({solver.snapshot(interrupt.exit_status() == done), tag});
+            if (solver.counters().exhausted)
+                out_of_reach = spec.panes.back().snapshot->sentence;
         } catch (const Cancelled &) { // while the curves were made: there is nothing to draw
             complain(interrupt.sentence() + " before there was anything to draw; nothing was written");
             return interrupt.exit_status();
@@ -215,8 +218,10 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
         return status;
     }
     if (!converged && !options.steps && !options.position) {
-        complain("the fixed point was not reached in " + std::to_string(solving.options.max_iterations) +
-                 " iterations; raise --max-iterations or --threshold");
+        complain(!out_of_reach.empty() ? out_of_reach
+                                       : "the fixed point was not reached in " +
+                                             std::to_string(solving.options.max_iterations) +
+                                             " iterations; raise --max-iterations or --threshold");
         return not_reached;
     }
     return done;

@@ -11,6 +11,7 @@
 #include "iteration/state.h"
 #include "measure/error_estimate.h"
 #include "scene/scene.h"
+#include "study/price.h"
 #include "study/run_watch.h"
 
 #include <fmt/format.h>
@@ -45,6 +46,21 @@ std::string accuracy(const Counters &counters) {
     return counters.estimated_error >= 0 ? "; its error is about " + error_in_words(counters) : "";
 }
 
+/// Seconds to the tolerance as they could be told when the error was first measured; nothing where that was the end.
+std::optional<double> predicted_seconds(const Scene &scene, const Options &options, const std::vector<Counters> &iterations) {
+    if (!(options.tolerance.value_or(0) > 0))
+        return std::nullopt;
+    for (const Counters &c : iterations) {
+        const auto paid = price_paid(options, c);
+        if (!paid)
+            continue;
+        if (c.converged)
+            break;
+        return predict_price({&*paid, 1}, usual_growth(options, has_one_bounce(scene)), *options.tolerance)->seconds;
+    }
+    return std::nullopt;
+}
+
 int run(const SolvingOptions &solving, const CommonOptions &common) {
     check_deliverable(common.output);
     check_deliverable(solving.probe_output);
@@ -59,6 +75,7 @@ int run(const SolvingOptions &solving, const CommonOptions &common) {
         Progress progress(solving.options, common.quiet, common.verbose);
         std::shared_ptr<const State> best;
         record.iterations = iterate(solver, solving.options.max_iterations, interrupt.cancel(), progress, &best);
+        record.predicted_seconds = predicted_seconds(*scene, solving.options, record.iterations);
         if (solver.converged())
             interrupt.lift_limits();
         measure(solver, best, interrupt);

@@ -5,6 +5,7 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -97,23 +98,25 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
     parser.add_option("--order", o.order, "Polynomials of degree below this in each parameter, 1 to 4")
         ->check(CLI::Range(1, 4))
         ->capture_default_str();
-    parser
-        .add_option("--threshold", o.threshold,
-                    "Largest misfit, as a fraction of the largest reflected radiosity")
-        ->check(positive())
-        ->capture_default_str();
     auto *depth = parser.add_option("--max-depth", o.max_depth, "Halvings of both directions, 0 to 20")
                       ->check(CLI::Range(0, deepest))
                       ->capture_default_str();
+    // The one said last is meant, also over a saved state that has the other. A depth limit that is said stays.
+    const auto ask = [&o, depth](Options (Options::*by)(double) const, double value) {
+        const int said = o.max_depth;
+        o = (o.*by)(value);
+        if (depth->count() > 0)
+            o.max_depth = said;
+    };
     parser
         .add_option_function<double>(
-            "--tolerance",
-            [&o, depth](double value) {
-                const int asked = o.max_depth;
-                o = o.to_tolerance(value);
-                if (depth->count() > 0)
-                    o.max_depth = asked;
-            },
+            "--threshold", [ask](double value) { ask(&Options::to_threshold, value); },
+            "Largest misfit, as a fraction of the largest reflected radiosity")
+        ->check(positive())
+        ->default_str(fmt::format("{:g}", o.threshold));
+    parser
+        .add_option_function<double>(
+            "--tolerance", [ask](double value) { ask(&Options::to_tolerance, value); },
             "Relative L2 error of the reflected radiosity asked for; thresholds are found, and no depth limit holds unless "
             "--max-depth sets one")
         ->check(positive())

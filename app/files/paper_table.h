@@ -16,7 +16,9 @@ int paper_patches(Strategy strategy);
 
 /// A line for each solution; errors are relative (L2, of the reflected radiosity), empty when not known.
 std::string paper_csv(const Solutions &solutions);
-/// The same for reading.
+/// Their patches, coefficients, links' coefficients and seconds as bars, side by side.
+std::string work_bars(const Solutions &solutions);
+/// Both for reading.
 std::string paper_text(const Solutions &solutions);
 
 } // namespace penumbra

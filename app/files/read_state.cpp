@@ -25,6 +25,13 @@ double number_in(const JsonValue &value, double low, double high) {
     return x;
 }
 
+double positive_number(const JsonValue &value) {
+    const double x = number_in(value, 0, 1e6);
+    if (!(x > 0))
+        value.fail("is 0; give a positive number");
+    return x;
+}
+
 template <class Vector>
 Vector triple(const JsonValue &value) {
     if (const std::size_t n = value.size(); n != 3)
@@ -58,11 +65,10 @@ constexpr const char *strategy_choices =
 
 Options read_options(const JsonValue &json) {
     Options o;
-    if (const auto threshold = json.known("threshold")) {
-        o.threshold = number_in(*threshold, 0, 1e6);
-        if (!(o.threshold > 0))
-            threshold->fail("is 0; give a positive number");
-    }
+    if (const auto threshold = json.known("threshold"))
+        o.threshold = positive_number(*threshold);
+    if (const auto tolerance = json.known("tolerance"))
+        o.tolerance = positive_number(*tolerance);
     if (const auto basis = json.known("basis"))
         o.basis = named(*basis, basis_family_from_name, "parametric or planar");
     if (const auto cut = json.known("cut"))

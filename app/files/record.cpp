@@ -90,6 +90,7 @@ std::string to_json(const Record &record) {
                        {"version", PENUMBRA_VERSION},
                        {"iterations", std::move(iterations)},
                        {"final", final_state(solution)},
+                       {"predicted_seconds", record.predicted_seconds ? Json(*record.predicted_seconds) : Json()},
                        {"stopped_by", record.stopped_by.empty() ? Json() : Json(record.stopped_by)},
                        {"effects", nullptr},
                        {"diagnostics", diagnostics(record.health)}};

@@ -18,6 +18,7 @@ struct Record {
     std::vector<Counters> iterations = {};
     std::shared_ptr<const Snapshot> solution = nullptr; ///< none when it was interrupted before there was one
     std::optional<Health> health = {};                  ///< of the solution
+    std::optional<double> predicted_seconds = {};       ///< to the tolerance, when the error was first measured on the way
     std::string stopped_by = {};                        ///< "interrupt", "time limit", "memory limit"; empty: nothing
 };
 

@@ -28,6 +28,22 @@ bool all_converged(const AppState &s) {
     });
 }
 
+/// What was predicted of the active pane's run.
+Json price(const AppState &s) {
+    const auto &predicted = s.prices.predicted[static_cast<std::size_t>(s.active_strategy())];
+    if (!predicted)
+        return nullptr;
+    return {{"seconds", predicted->seconds}, {"patches", predicted->patches}, {"bytes", predicted->bytes}};
+}
+
+std::string_view name(Inspector inspector) {
+    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost"};
+    return names[static_cast<std::size_t>(inspector)];
+}
+
+/// Errors that are not known are negative.
+Json known(double error) { return error >= 0 ? Json(error) : Json(); }
+
 Json pane(const AppState &s, Strategy strategy) {
     Json j{{"strategy", name(strategy)}};
     if (const auto snapshot = s.snapshot(strategy)) {
@@ -37,6 +53,9 @@ Json pane(const AppState &s, Strategy strategy) {
         j["coefficients"] = snapshot->counters.coefficients;
         j["links"] = snapshot->counters.links;
         j["converged"] = snapshot->counters.converged;
+        j["threshold"] = snapshot->counters.threshold;
+        j["estimated_error"] = known(snapshot->counters.estimated_error);
+        j["error_bound"] = known(snapshot->counters.error_bound);
         j["version"] = snapshot->version;
         j["computed"] = s.timeline(strategy).last();
     }
@@ -132,7 +151,10 @@ std::string observed_state_text(const AppState &s) {
     j["hovered_curve"] = s.hovered_curve ? Json(*s.hovered_curve) : Json();
     j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
     j["looking"] = keyhole(s.keyhole);
-    j["inspector"] = s.inspector == Inspector::none ? "none" : s.inspector == Inspector::filters ? "filters" : "hard_cases";
+    j["inspector"] = name(s.inspector);
+    j["cost_measure"] = name(s.cost_measure);
+    j["price"] = price(s);
+    j["earlier_runs"] = s.prices.runs.size();
     j["microscope"] = microscope(s.microscope);
     j["shelf"] = shelf(s.shelf);
     j["picture"] = s.last_picture;

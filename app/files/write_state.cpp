@@ -15,8 +15,13 @@ Json triple(const Vector &v) {
 }
 
 Json options(const Options &o) {
-    return {{"threshold", o.threshold}, {"basis", name(o.basis)},   {"order", o.order},
-            {"cut", name(o.cut)},       {"max_depth", o.max_depth}, {"max_iterations", o.max_iterations},
+    return {{"threshold", o.threshold},
+            {"tolerance", o.tolerance ? Json(*o.tolerance) : Json()},
+            {"basis", name(o.basis)},
+            {"order", o.order},
+            {"cut", name(o.cut)},
+            {"max_depth", o.max_depth},
+            {"max_iterations", o.max_iterations},
             {"coarse_correction", name(o.coarse_correction)}};
 }
 

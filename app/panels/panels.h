@@ -10,8 +10,10 @@ namespace penumbra {
 void draw_menu_bar(AppState &state);
 void draw_tool_bar(AppState &state, const WindowRect &rect);
 void draw_side_panel(AppState &state, const WindowRect &rect);   ///< layers, options, figures
+void draw_solution(AppState &state);                               ///< in the side panel
 void draw_curve_filter(AppState &state);                          ///< in the side panel
-void draw_inspector(AppState &state, const WindowRect &rect);    ///< where it is open
+void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts); ///< where it is open
+void draw_cost(AppState &state, const Fonts &fonts);              ///< in the inspector
 void draw_microscope(AppState &state);                            ///< in the inspector
 void draw_hard_cases(AppState &state);                            ///< in the inspector
 void draw_transport(AppState &state, const WindowRect &rect);    ///< step, play, the course so far, cancel

@@ -1,3 +1,5 @@
+#include "core/percent.h"
+#include "panels/accuracy_words.h"
 #include "panels/controls.h"
 #include "panels/panels.h"
 #include "panels/words.h"
@@ -37,64 +39,25 @@ void draw_shading(AppState &state) {
     tooltip("Exposure", "Radiosity is multiplied by two to this power before it is shown, in all panes alike.", "E");
 }
 
-/// Sliders move freely; the solution starts anew when one is let go.
-void draw_options(AppState &state) {
-    heading("Solution");
-    static constexpr float lowest = 1e-3f, highest = 50; // percent
-    ImGuiStorage &edited = *ImGui::GetStateStorage();
-    const ImGuiID run_id = ImGui::GetID("run"), threshold_id = ImGui::GetID("threshold"), depth_id = ImGui::GetID("depth");
-    if (edited.GetInt(run_id, 0) != static_cast<int>(state.run)) {
-        edited.SetInt(run_id, static_cast<int>(state.run));
-        edited.SetFloat(threshold_id, static_cast<float>(100 * state.options.threshold));
-        edited.SetInt(depth_id, state.options.max_depth);
+/// What was measured of the error, and where that leaves what was asked for.
+void draw_accuracy(const Snapshot &snapshot) {
+    const Counters &c = snapshot.counters;
+    if (!snapshot.options.tolerance)
+        return;
+    if (c.estimated_error >= 0) {
+        figure("error, about", percent(c.estimated_error) + ", \u2264 " + percent(c.error_limit),
+               "Relative L2 of the reflected radiosity, measured at fresh random points, apart from the links. With 95 % "
+               "confidence it is not above the second number.");
+        figure("error, at most", percent(c.error_bound),
+               "The error is not above this, with 95 % confidence, however it is spread: the residual over 1 minus the largest "
+               "reflectance.");
     }
-    Options options = state.options;
-
-    field_label("threshold");
-    ImGui::SliderFloat("##threshold", edited.GetFloatRef(threshold_id), lowest, highest, "%.3g %%",
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
-    bool done = ImGui::IsItemDeactivatedAfterEdit();
-    mark(state, "threshold");
-    tooltip("Threshold", "Largest misfit that is let pass, as a share of the largest reflected radiosity. "
-                         "Another value starts the solution anew.");
-    field_label("depth limit");
-    ImGui::SliderInt("##depth", edited.GetIntRef(depth_id), 0, 10);
-    done |= ImGui::IsItemDeactivatedAfterEdit();
-    mark(state, "depth");
-    tooltip("Depth limit", "How often the sides of a surface may be halved; the paper allows 6.");
-    if (done) {
-        options.threshold = static_cast<double>(edited.GetFloat(threshold_id)) / 100;
-        options.max_depth = edited.GetInt(depth_id);
-    }
-
-    field_label("order M");
-    const float quarter = (ImGui::GetContentRegionAvail().x - 3) / 4;
-    for (int order = 1; order <= 4; ++order) {
-        if (order > 1)
-            ImGui::SameLine(0, 1);
-        const std::string text = std::to_string(order);
-        if (choice(state, "order " + text, text.c_str(), options.order == order,
-                   "Multiwavelet polynomials have a degree below this in each direction.", {quarter, 0})) {
-            done = done || options.order != order;
-            options.order = order;
-        }
-    }
-    field_label("elements");
-    const float half = (ImGui::GetContentRegionAvail().x - 1) / 2;
-    for (const BasisFamily family : {BasisFamily::parametric, BasisFamily::planar}) {
-        const bool planar = family == BasisFamily::planar;
-        if (planar)
-            ImGui::SameLine(0, 1);
-        if (choice(state, "basis " + std::string(name(family)), planar ? "convex" : "quads", options.basis == family,
-                   planar ? "Polynomials of the plane on convex polygons of any shape: cuts lose nothing."
-                          : "The paper's products of polynomials in the two parameters of a quad.",
-                   {half, 0})) {
-            done = done || options.basis != family;
-            options.basis = family;
-        }
-    }
-    if (done)
-        set_options(state, options);
+    if (c.threshold > 0)
+        figure("threshold in force", percent(c.threshold),
+               "Largest misfit that is let pass now. It falls until the error measured is below the tolerance.");
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(accuracy_words(snapshot).c_str());
+    ImGui::PopTextWrapPos();
 }
 
 void draw_figures(const AppState &state) {
@@ -109,6 +72,9 @@ void draw_figures(const AppState &state) {
     figure("patches", count_words(c.patches), "Leaves of the surfaces that reflect.");
     figure("coefficients", count_words(c.coefficients), "Basis functions on these patches.");
     figure("links", count_words(c.links), "Pairs of elements that exchange light.");
+    figure("links × coefficients", count_words(c.link_coefficients),
+           "Transport coefficients of all links: the work of one gather. A patch is not a unit of work: with M = 4 it may take "
+           "16 times the effort of a constant one.");
     figure("splits, of these cuts", count_words(c.splits) + ", " + count_words(c.cuts), "In this iteration.");
     figure("kernel evaluations", count_words(c.total_work.kernel_evaluations), "Of all iterations so far.");
     figure("clips", count_words(c.total_work.clips), "Sources clipped by one blocker's shadow, for one point.");
@@ -118,6 +84,7 @@ void draw_figures(const AppState &state) {
         figure("change", number_words(100 * c.change) + " %", "Of radiosity in this iteration, of its largest value.");
     if (snapshot->error >= 0)
         figure("error", number_words(100 * snapshot->error) + " %", "Relative L2, against the exact direct solution.");
+    draw_accuracy(*snapshot);
     figure("time", seconds_words(c.seconds), "Of all iterations so far.");
 }
 
@@ -144,7 +111,7 @@ void draw_side_panel(AppState &state, const WindowRect &rect) {
     begin_panel("side", rect);
     draw_layers(state);
     draw_shading(state);
-    draw_options(state);
+    draw_solution(state);
     draw_figures(state);
     draw_cursor(state);
     ImGui::End();

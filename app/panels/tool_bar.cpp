@@ -76,6 +76,8 @@ void draw_tool_bar(AppState &state, const WindowRect &rect) {
     action_button(state, "view.filters", "Filters");
     ImGui::SameLine();
     action_button(state, "view.hard_cases");
+    ImGui::SameLine();
+    action_button(state, "view.cost", "Cost");
     const float help = em(1.9f), right = ImGui::GetWindowContentRegionMax().x;
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - help));
     action_button(state, "help.keys", "?", {help, 0});

@@ -62,6 +62,13 @@ std::string seconds_words(double s) {
     return print("%d min %d s", static_cast<int>(s / 60), static_cast<int>(std::fmod(s, 60)));
 }
 
+std::string memory_words(double bytes) {
+    constexpr double kib = 1024, mib = kib * kib, gib = kib * mib;
+    if (bytes < mib)
+        return print("%.0f KiB", bytes / kib);
+    return bytes < gib ? print("%.3g MiB", bytes / mib) : print("%.3g GiB", bytes / gib);
+}
+
 std::string phase_verb(int position) {
     switch (phase_of(position)) {
     case Phase::start:

@@ -18,6 +18,8 @@ std::string power_words(double x, int digits = 3);
 std::string rgb_words(const Rgb &c);
 /// "12 ms", "1.24 s", "3 min 20 s".
 std::string seconds_words(double s);
+/// "740 KiB", "12 MiB", "1.3 GiB".
+std::string memory_words(double bytes);
 /// "iteration 2, gather"; "start".
 std::string position_words(int position);
 /// "Refine", "Gather", "Push and pull": what leads to the position.

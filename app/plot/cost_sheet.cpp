@@ -1,6 +1,7 @@
 #include "plot/cost_sheet.h"
 
 #include "core/percent.h"
+#include "plot/cost_measure.h"
 #include "plot/strategy_style.h"
 #include "study/spread.h"
 
@@ -12,25 +13,16 @@ namespace penumbra {
 
 namespace {
 
-/// One measure of price.
-struct Price {
-    const char *title;
-    PlotUnit unit;
-    Spread (*of)(const CostPoint &);
-};
+constexpr std::array<CostMeasure, 4> prices{CostMeasure::seconds, CostMeasure::patches, CostMeasure::coefficients,
+                                            CostMeasure::kernel_evaluations};
 
-Spread exactly(auto n) {
-    const auto x = static_cast<double>(n);
+/// Seconds are those of the repeats; all else is the same in each.
+Spread price_of(const CostPoint &p, CostMeasure measure) {
+    if (measure == CostMeasure::seconds)
+        return spread_of(p.seconds);
+    const double x = value(measure, p.counters);
     return {x, x, x};
 }
-
-constexpr std::array<Price, 4> prices{{
-    {"seconds", PlotUnit::seconds, [](const CostPoint &p) { return spread_of(p.seconds); }},
-    {"patches", PlotUnit::count, [](const CostPoint &p) { return exactly(p.counters.patches); }},
-    {"coefficients", PlotUnit::count, [](const CostPoint &p) { return exactly(p.counters.coefficients); }},
-    {"kernel evaluations", PlotUnit::count,
-     [](const CostPoint &p) { return exactly(p.counters.total_work.kernel_evaluations); }},
-}};
 
 bool is_mark(const CostPoint &p) { return p.done() && p.error > 0; }
 /// Tried, and not brought to an end; or so good that a logarithm cannot show it.
@@ -46,19 +38,19 @@ LogAxis error_axis(const CostStudy &study) {
     return range.axis(PlotUnit::share);
 }
 
-LogAxis price_axis(const CostStudy &study, const Price &price) {
+LogAxis price_axis(const CostStudy &study, CostMeasure price) {
     AxisRange range;
     for (const CostPoint &p : study.points)
         if (is_mark(p)) {
-            const Spread s = price.of(p);
+            const Spread s = price_of(p, price);
             range.add(s.low);
             range.add(s.high);
         }
-    return range.axis(price.unit);
+    return range.axis(unit(price));
 }
 
 /// A curve for each strategy in each basis; points of one stand together.
-std::vector<PlotCurve> curves_of(const CostStudy &study, const Price &price, bool full_names, Theme theme) {
+std::vector<PlotCurve> curves_of(const CostStudy &study, CostMeasure price, bool full_names, Theme theme) {
     std::vector<PlotCurve> curves;
     const CostPoint *last = nullptr;
     std::set<Strategy> named;
@@ -66,7 +58,7 @@ std::vector<PlotCurve> curves_of(const CostStudy &study, const Price &price, boo
         const Strategy strategy = p.options.strategy;
         if (!last || last->options.strategy != strategy || last->options.basis != p.options.basis) {
             PlotCurve curve{strategy_colour(strategy, theme), strategy_marker(strategy), is_dashed(p.options.basis),
-                            "", {}, {}};
+                            true, "", {}, {}};
             if (named.insert(strategy).second) {
                 const std::string label = strategy_label(strategy, p.options.order);
                 curve.label = full_names ? label : label.substr(0, label.find(' '));
@@ -75,7 +67,7 @@ std::vector<PlotCurve> curves_of(const CostStudy &study, const Price &price, boo
         }
         last = &p;
         if (is_mark(p)) {
-            const Spread s = price.of(p);
+            const Spread s = price_of(p, price);
             curves.back().marks.push_back({s.median, p.error, s.low, s.high, p.counters.nodes_at_limit > 0, false});
         } else if (is_cross(p)) {
             curves.back().stopped.push_back(p.error);
@@ -115,8 +107,8 @@ std::array<Plot, 4> cost_plots(const CostStudy &study, Theme theme) {
     std::array<Plot, 4> plots;
     const LogAxis error = error_axis(study);
     for (std::size_t i = 0; i < plots.size(); ++i) {
-        const Price &price = prices[i];
-        plots[i] = {price.title, "relative L2 error", price_axis(study, price), error, i == 0,
+        const CostMeasure price = prices[i];
+        plots[i] = {std::string(title(price)), "relative L2 error", price_axis(study, price), error, i == 0,
                     curves_of(study, price, i == 0, theme)};
     }
     return plots;

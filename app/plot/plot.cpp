@@ -32,7 +32,7 @@ struct Pen {
     PlotText text(TextAlign align, float opacity = 0.85f) const {
         return {em, plot_ink(look.theme, opacity), align, false};
     }
-    PlotText label(const PlotCurve &curve) const { return {em, curve.colour, TextAlign::centre, true}; }
+    PlotText label(const PlotCurve &curve) const { return {em, glm::vec4(glm::vec3(curve.colour), 1), TextAlign::centre, true}; }
 };
 
 int labels_in(float length, float each) { return std::max(2, static_cast<int>(length / each)); }
@@ -67,7 +67,7 @@ void draw_curve(const Pen &pen, const Page &page, const PlotCurve &curve) {
     for (const PlotMark &m : curve.marks)
         if (const glm::vec2 p = page.at(m); line.empty() || glm::distance(line.back(), p) > 0.01f)
             line.push_back(p);
-    if (line.size() > 1)
+    if (curve.joined && line.size() > 1)
         pen.canvas.polyline(line, pen.stroke(curve.colour, 0.11f, curve.dashed ? 0.45f : 0));
     const PlotStroke thin = pen.stroke(curve.colour, 0.08f);
     for (const PlotMark &m : curve.marks) {

@@ -21,6 +21,7 @@ struct PlotCurve {
     glm::vec4 colour{0, 0, 0, 1}; ///< sRGB
     PlotMarker marker = PlotMarker::circle;
     bool dashed = false;
+    bool joined = true;          ///< by a line
     std::string label;           ///< beside the curve; empty: none
     std::vector<PlotMark> marks; ///< in the order in which they are joined
     /// Runs that never came to be a mark, as crosses on the right border: their y, or one that is not positive where it

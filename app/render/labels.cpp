@@ -1,5 +1,6 @@
 #include "render/labels.h"
 
+#include "core/percent.h"
 #include "embedded.h"
 
 #include <algorithm>
@@ -83,6 +84,8 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
     label.figures = {counted(c.patches, "patch", "patches"), counted(c.coefficients, "coefficient", "coefficients")};
     if (snapshot.error >= 0)
         label.figures.push_back("error " + three_digits(100 * snapshot.error) + " %");
+    else if (c.estimated_error >= 0)
+        label.figures.push_back("error about " + percent(c.estimated_error));
     if (c.iteration > 0 || c.seconds > 0)
         label.figures.push_back(c.seconds < 0.1 ? three_digits(1000 * c.seconds) + " ms" : three_digits(c.seconds) + " s");
     label.footnote = snapshot.scene + ", ";

@@ -38,6 +38,7 @@ constexpr double rest_seconds = 0.15; ///< after the last move of the camera the
 AppState first_state(const ViewerSetup &setup) {
     AppState state;
     state.options = setup.options;
+    state.asked_tolerance = setup.options.tolerance.value_or(state.asked_tolerance);
     state.bundled_scenes = setup.bundled_scenes;
     state.scene = setup.file.scene;
     state.inert = setup.inert;
@@ -306,7 +307,7 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     if (!state_.panels_hidden) {
         draw_tool_bar(state_, arrangement.tool_bar);
         draw_side_panel(state_, arrangement.side);
-        draw_inspector(state_, arrangement.inspector);
+        draw_inspector(state_, arrangement.inspector, fonts_);
         draw_transport(state_, arrangement.transport);
         draw_status_bar(state_, arrangement.status);
     }

@@ -88,6 +88,15 @@ struct Options {
         out.max_depth = deepest;
         return out;
     }
+    /// The same, asked by the oracle's threshold; where an accuracy was asked for before, with the paper's depth limit again.
+    Options to_threshold(double value) const {
+        Options out = *this;
+        out.threshold = value;
+        if (tolerance)
+            out.max_depth = Options().max_depth;
+        out.tolerance.reset();
+        return out;
+    }
 
     int effective_order() const { return is_constant(strategy) ? 1 : order; }
 };

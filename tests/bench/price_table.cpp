@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace penumbra;
@@ -47,6 +48,15 @@ Paid pay(const std::shared_ptr<const Scene> &scene, double tolerance, double sec
     return paid;
 }
 
+/// The fastest of three where it takes less than a second: other programs and the start of threads disturb a short run.
+Paid pay_fairly(const std::shared_ptr<const Scene> &scene, double tolerance, double seconds) {
+    Paid best = pay(scene, tolerance, seconds);
+    for (int i = 0; i < 2 && best.end.seconds < 1; ++i)
+        if (Paid again = pay(scene, tolerance, seconds); again.end.seconds < best.end.seconds)
+            best = std::move(again);
+    return best;
+}
+
 /// "1.30" of seconds, patches and bytes; an exclamation mark where seconds are beyond the factor.
 std::string ratios(const Price &said, const Price &paid, double factor, bool &holds) {
     const double r = said.seconds / paid.seconds;
@@ -68,12 +78,11 @@ int main(int argc, char **argv) {
     for (const char *name : scenes) {
         const auto scene = bundled(name);
         const PriceGrowth usual = usual_growth(Options(), has_one_bounce(*scene));
-        pay(scene, tolerance, limit); // the start of threads and caches
-        const Paid first = pay(scene, tolerance, limit);
+        const Paid first = pay_fairly(scene, tolerance, limit);
         std::string row = std::string("| ") + name;
         for (const double factor : {3., 10.}) {
             const auto said = predict_price(first.on_the_way, usual, tolerance / factor);
-            const Paid paid = pay(scene, tolerance / factor, limit);
+            const Paid paid = pay_fairly(scene, tolerance / factor, limit);
             if (!said || !paid.reached) {
                 row += " | not reached | | ";
                 continue;

@@ -1,4 +1,5 @@
 // Numbers as the panels print them.
+#include "panels/accuracy_words.h"
 #include "panels/filter_words.h"
 #include "panels/words.h"
 
@@ -18,6 +19,27 @@ TEST(Words, PowersOfTen) {
     EXPECT_EQ(power_words(1e21), "1·10²¹");
     EXPECT_EQ(power_words(std::numeric_limits<double>::infinity()), "inf");
     EXPECT_EQ(power_words(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(Words, Memory) {
+    EXPECT_EQ(memory_words(0), "0 KiB");
+    EXPECT_EQ(memory_words(740 * 1024.), "740 KiB");
+    EXPECT_EQ(memory_words(12.34 * 1024 * 1024), "12.3 MiB");
+    EXPECT_EQ(memory_words(1.5 * 1024 * 1024 * 1024), "1.5 GiB");
+}
+
+TEST(Words, WhereASolutionStandsWithTheAccuracy) {
+    Snapshot s;
+    EXPECT_EQ(accuracy_words(s), "");
+    s.options.tolerance = 0.01;
+    s.counters.iteration = 2;
+    EXPECT_EQ(accuracy_words(s).find("On the way to 1 %: the error is measured"), 0U);
+    s.counters.estimated_error = 0.02;
+    EXPECT_EQ(accuracy_words(s), "Above the 1 % asked for: refinement goes on.");
+    s.counters.exhausted = true;
+    EXPECT_EQ(accuracy_words(s).find("The 1 % asked for is out of reach"), 0U);
+    s.counters.converged = true;
+    EXPECT_EQ(accuracy_words(s), "The 1 % asked for is reached.");
 }
 
 TEST(Words, FunctionsOfBothBases) {

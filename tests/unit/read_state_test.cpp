@@ -23,7 +23,7 @@ SavedState unusual() {
                  .basis = BasisFamily::planar,
                  .order = 3,
                  .threshold = 1.0 / 3,
-                 .tolerance = {},
+                 .tolerance = 0.1 / 3,
                  .max_depth = 9,
                  .max_iterations = 7,
                  .cut = CutChoice::best};
@@ -61,6 +61,7 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     EXPECT_EQ(again.keyhole, s.keyhole);
     EXPECT_EQ(again.picture, s.picture);
     EXPECT_EQ(again.options.threshold, s.options.threshold);
+    EXPECT_EQ(again.options.tolerance, s.options.tolerance);
     EXPECT_EQ(again.options.strategy, Strategy::uniform_constant) << "the active pane's";
     EXPECT_EQ(again.strategies, s.strategies);
 }

@@ -1,0 +1,91 @@
+#include "price_verbs.h"
+
+#include "iteration/solver.h"
+#include "verbs.h"
+
+#include <algorithm>
+
+namespace penumbra {
+
+namespace {
+
+/// What was paid with the one says something about the other.
+bool differ_in_accuracy_alone(const Options &a, const Options &b) {
+    return a.strategy == b.strategy && a.basis == b.basis && a.effective_order() == b.effective_order() && a.cut == b.cut &&
+           a.coarse_correction == b.coarse_correction && a.threads == b.threads;
+}
+
+} // namespace
+
+std::vector<LiveRun> live_runs(const AppState &state) {
+    std::vector<LiveRun> runs;
+    const std::vector<Strategy> shown = state.shown();
+    for (const Strategy s : all_strategies) {
+        const Timeline &timeline = state.timeline(s);
+        const bool in_a_pane = std::ranges::find(shown, s) != shown.end();
+        LiveRun run{priced_states(timeline), in_a_pane ? std::min(state.position, timeline.last()) : -1, false};
+        if (!run.states.empty())
+            runs.push_back(std::move(run));
+    }
+    for (const PricedRun &earlier : state.prices.runs)
+        runs.push_back({{earlier.back()}, -1, true});
+    return runs;
+}
+
+void go_to_priced(AppState &state, const PricedState &priced, bool earlier) {
+    state.playing = false;
+    if (earlier) {
+        Options options = priced.options;
+        options.threads = state.options.threads;
+        state.asked_tolerance = options.tolerance.value_or(state.asked_tolerance);
+        set_options(state, options);
+    }
+    const std::vector<Strategy> shown = state.shown();
+    const auto pane = std::ranges::find(shown, priced.options.strategy);
+    if (pane == shown.end())
+        set_strategy(state, priced.options.strategy);
+    else
+        state.panes().active = static_cast<int>(pane - shown.begin());
+    go_to(state, priced.position);
+}
+
+std::optional<Price> price_tag(const AppState &state, Strategy strategy, double tolerance) {
+    if (!state.scene)
+        return std::nullopt;
+    Options options = state.options;
+    options.strategy = strategy;
+    std::vector<PricePaid> paid, paid_by_threshold;
+    const auto add = [&](const PricedRun &run) {
+        for (const PricedState &s : run)
+            if (differ_in_accuracy_alone(s.options, options))
+                if (const auto p = price_paid(s.options, s.counters, s.true_error))
+                    (s.options.tolerance ? paid : paid_by_threshold).push_back(*p);
+    };
+    for (const PricedRun &run : state.prices.runs)
+        add(run);
+    add(priced_states(state.timeline(strategy)));
+    // A tolerance costs more than the same error found by luck with a threshold.
+    return predict_price(paid.empty() ? paid_by_threshold : paid, usual_growth(options, has_one_bounce(*state.scene)),
+                         tolerance);
+}
+
+void ask_for_tolerance(AppState &state, const Options &options) {
+    std::array<std::optional<Price>, 4> predicted;
+    for (const Strategy s : all_strategies)
+        predicted[static_cast<std::size_t>(s)] = price_tag(state, s, *options.tolerance);
+    const bool at_the_end = at_end(state);
+    set_options(state, options);
+    state.prices.predicted = predicted;
+    if (at_the_end) // it may take more steps than the one before
+        go_to(state, far_ahead);
+}
+
+std::vector<std::shared_ptr<const Snapshot>> compared(const AppState &state) {
+    std::vector<std::shared_ptr<const Snapshot>> snapshots;
+    for (const Strategy s : state.shown())
+        if (auto snapshot = state.snapshot(s))
+            snapshots.push_back(std::move(snapshot));
+    return snapshots;
+}
+
+} // namespace penumbra
