@@ -58,13 +58,13 @@ double predicted(const Samples &samples, double exponent, double x) {
     return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
 }
 
-/// The threshold of a solution to this tolerance, in the same proportion as in the most accurate one so far.
-double threshold_for(std::span<const PricePaid> paid, double tolerance) {
+/// The threshold of a solution with this error, from the most accurate one so far: errors fall by about the 1.5th power of it.
+double threshold_for(std::span<const PricePaid> paid, double error) {
     const PricePaid *finest = nullptr;
     for (const PricePaid &p : paid)
         if (p.threshold > 0 && (!finest || p.error < finest->error))
             finest = &p;
-    return finest ? finest->threshold / finest->error * tolerance : tolerance;
+    return finest ? finest->threshold * std::pow(error / finest->error, 1 / 1.5) : error;
 }
 
 } // namespace
@@ -74,11 +74,10 @@ std::optional<PricePaid> price_paid(const Options &options, const Counters &c, d
     if (!options.tolerance) {
         paid.error = c.settled ? true_error : 0;
         paid.threshold = c.threshold;
-    } else if (c.converged) {
-        paid.error = *options.tolerance;
-        paid.threshold = c.threshold;
     } else {
-        paid.error = c.error_limit; // its threshold has been lowered since
+        paid.error = c.error_limit;
+        if (c.converged) // else it has been lowered since
+            paid.threshold = c.threshold;
     }
     if (!(paid.error > 0 && c.seconds > 0))
         return std::nullopt;
@@ -88,8 +87,9 @@ std::optional<PricePaid> price_paid(const Options &options, const Counters &c, d
 std::optional<Price> predict_price(std::span<const PricePaid> paid, const PriceGrowth &usual, double tolerance) {
     if (paid.empty() || !(tolerance > 0))
         return std::nullopt;
-    const auto log_fine_links = [&](double error) {
-        return threshold_for(paid, error) < fine_threshold ? std::log(usual.fine_links) : 0;
+    const double error = used_up * tolerance;
+    const auto log_fine_links = [&](double at) {
+        return threshold_for(paid, at) < fine_threshold ? std::log(usual.fine_links) : 0;
     };
     const auto part = [&](double Price::*of, double exponent, bool with_fine_links) {
         Samples samples;
@@ -97,8 +97,8 @@ std::optional<Price> predict_price(std::span<const PricePaid> paid, const PriceG
             samples.push_back({-std::log(p.error), std::log(std::max(p.price.*of, 1e-9)) -
                                                        (with_fine_links ? log_fine_links(p.error) : 0)});
         samples = in_order(std::move(samples));
-        const double y = predicted(samples, fitted_exponent(samples, exponent, usual.spread), -std::log(tolerance));
-        return std::exp(y + (with_fine_links ? log_fine_links(tolerance) : 0));
+        const double y = predicted(samples, fitted_exponent(samples, exponent, usual.spread), -std::log(error));
+        return std::exp(y + (with_fine_links ? log_fine_links(error) : 0));
     };
     return Price{part(&Price::seconds, usual.seconds, true), part(&Price::bytes, usual.bytes, false),
                  part(&Price::patches, usual.patches, false)};
@@ -111,7 +111,7 @@ PriceGrowth usual_growth(const Options &options, bool one_bounce) {
         {{{1.5, 2.9, 2.0}, {2.0, 2.0, 2.0}}, {{1.5, 2.9, 2.0}, {1.3, 2.0, 2.0}}},
         {{{0.7, 1.5, 1.05}, {1.0, 1.3, 1.3}}, {{0.73, 1.4, 1.05}, {0.42, 1.0, 1.0}}},
         {{{0.5, 0.95, 0.65}, {0.57, 1.2, 1.2}}, {{0.8, 1.15, 0.9}, {0.35, 0.8, 0.8}}}, // uniform: order 4's
-        {{{0.5, 0.95, 0.65}, {0.57, 1.2, 1.2}}, {{0.65, 1.1, 0.8}, {0.15, 0.55, 0.55}}}};
+        {{{0.5, 0.95, 0.65}, {0.57, 1.2, 1.2}}, {{0.65, 1.1, 0.75}, {0.2, 0.7, 0.7}}}};
     const int order = options.effective_order();
     const Exponents &e = measured[order - 1][cuts_along_curves(options.strategy)][one_bounce];
     PriceGrowth growth{.seconds = e[0], .bytes = e[1], .patches = e[2]};

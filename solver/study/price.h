@@ -16,9 +16,9 @@ struct Price {
     double patches = 0; ///< at the end
 };
 
-/// A price that was paid: for the tolerance that was reached, or, on the way to it, for the error that was measured.
+/// A price that was paid, at the end or on the way.
 struct PricePaid {
-    double error = 0;     ///< relative L2: the tolerance, or the error's upper limit
+    double error = 0;     ///< relative L2: its upper limit, as measured, or the true one
     double threshold = 0; ///< oracle's; 0: not known
     Price price;
 };
@@ -26,6 +26,9 @@ struct PricePaid {
 /// Of a state in a run to a tolerance; nothing where its error was not measured. In a run to a threshold: of a settled state
 /// whose true error is known.
 std::optional<PricePaid> price_paid(const Options &options, const Counters &counters, double true_error = -1);
+
+/// Error's upper limit over the tolerance where a solution ends: it falls in leaps (tests/bench/README.md).
+inline constexpr double used_up = 0.7;
 
 /// How prices grow, price ~ error^-exponent, with what is known of it before anything was measured on the scene.
 struct PriceGrowth {
@@ -41,7 +44,7 @@ inline constexpr double fine_threshold = 3.16e-3;
 /// (tests/bench/README.md, "What the next digit costs").
 PriceGrowth usual_growth(const Options &options, bool one_bounce);
 
-/// Price for the tolerance. Between two errors whose price was paid: on a straight line in logarithms. Beyond: from the
+/// Price for the tolerance, of which solutions use up `used_up` on the average. Between two errors whose price was paid: on a straight line in logarithms. Beyond: from the
 /// nearest one with an exponent that balances the usual one with least squares through all that was paid (a normal prior of
 /// the usual exponent and its spread; logarithms of prices scatter by 0.3), so that a single price is enough. Nothing
 /// without one.

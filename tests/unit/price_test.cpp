@@ -11,6 +11,9 @@ namespace {
 
 constexpr PriceGrowth usual{.seconds = 2, .bytes = 1, .patches = 0.5, .spread = 0.3, .fine_links = 1};
 
+/// The tolerance for which solutions end with this error.
+double for_error(double error) { return error / used_up; }
+
 PricePaid paid(double error, double seconds, double threshold = 0) {
     return {error, threshold, {seconds, 1000 * seconds, 10 * seconds}};
 }
@@ -23,12 +26,12 @@ TEST(Price, IsNotKnownBeforeAnythingWasPaid) {
 
 TEST(Price, OfOnePaidGrowsAsUsual) {
     const std::vector<PricePaid> one{paid(0.1, 3)};
-    const Price finer = *predict_price(one, usual, 0.01);
+    const Price finer = *predict_price(one, usual, for_error(0.01));
     EXPECT_NEAR(finer.seconds, 3 * 100, 1e-9);          // 10^2
     EXPECT_NEAR(finer.bytes, 3000 * 10, 1e-6);          // 10^1
     EXPECT_NEAR(finer.patches, 30 * std::sqrt(10.), 1e-9); // 10^0.5
-    EXPECT_NEAR(predict_price(one, usual, 0.1)->seconds, 3, 1e-12) << "what was paid is what it costs";
-    EXPECT_NEAR(predict_price(one, usual, 1)->seconds, 0.03, 1e-12) << "and looser is cheaper by the same law";
+    EXPECT_NEAR(predict_price(one, usual, for_error(0.1))->seconds, 3, 1e-12) << "what was paid is what it costs";
+    EXPECT_NEAR(predict_price(one, usual, for_error(1))->seconds, 0.03, 1e-12) << "and looser is cheaper by the same law";
 }
 
 TEST(Price, ManyPaidOutweighTheUsual) {
@@ -36,7 +39,7 @@ TEST(Price, ManyPaidOutweighTheUsual) {
     std::vector<PricePaid> many;
     for (int i = 0; i <= 6; ++i)
         many.push_back(paid(std::pow(10, -0.5 * i), std::pow(10, 0.35 * i)));
-    const double exact = std::pow(3e3, 0.7), said = predict_price(many, usual, 1 / 3e3)->seconds;
+    const double exact = std::pow(3e3, 0.7), said = predict_price(many, usual, for_error(1 / 3e3))->seconds;
     EXPECT_NEAR(said, exact, 0.05 * exact);
 }
 
@@ -44,27 +47,28 @@ TEST(Price, OfFewIsBetweenTheUsualAndTheMeasured) {
     // Two a factor of e apart that did not differ: slope 0; prior N(2, 0.3), scatter 0.3. By hand: sum (x - mean)^2 = 1/2,
     // so that the exponent is 2 / (1 + 1/2).
     const std::vector<PricePaid> two{paid(1, 1), paid(std::exp(-1), 1)};
-    EXPECT_NEAR(predict_price(two, usual, std::exp(-2))->seconds, std::exp(2 / 1.5), 1e-9);
+    EXPECT_NEAR(predict_price(two, usual, for_error(std::exp(-2)))->seconds, std::exp(2 / 1.5), 1e-9);
 }
 
 TEST(Price, BetweenTwoPaidIsOnTheLine) {
     const std::vector<PricePaid> two{paid(0.01, 16), paid(0.1, 1)};
-    EXPECT_NEAR(predict_price(two, usual, std::sqrt(0.001))->seconds, 4, 1e-9);
+    EXPECT_NEAR(predict_price(two, usual, for_error(std::sqrt(0.001)))->seconds, 4, 1e-9);
 }
 
 TEST(Price, NeverFallsWithTheErrorBeyondWhatWasPaid) {
     const std::vector<PricePaid> falling{paid(0.1, 100), paid(0.001, 1)};
-    EXPECT_GE(predict_price(falling, usual, 1e-4)->seconds, 1);
+    EXPECT_GE(predict_price(falling, usual, for_error(1e-4))->seconds, 1);
 }
 
 TEST(Price, OfFineLinksIsAddedOnceTheThresholdIsFine) {
     PriceGrowth fine = usual;
     fine.fine_links = 5;
-    const std::vector<PricePaid> one{paid(0.01, 1, 0.02)}; // thresholds are twice the tolerance
-    EXPECT_NEAR(predict_price(one, fine, 0.002)->seconds, 25, 1e-9) << "threshold 0.004";
-    EXPECT_NEAR(predict_price(one, fine, 0.001)->seconds, 5 * 100, 1e-9) << "threshold 0.002";
+    // Thresholds go as error^(2/3): from 0.008 at 0.01 to 0.004 at 0.01 / 2^1.5, and to 0.002 at 0.01 / 8.
+    const std::vector<PricePaid> one{paid(0.01, 1, 0.008)};
+    EXPECT_NEAR(predict_price(one, fine, for_error(0.01 / std::pow(2, 1.5)))->seconds, 8, 1e-9);
+    EXPECT_NEAR(predict_price(one, fine, for_error(0.01 / 8))->seconds, 5 * 64, 1e-9);
     const std::vector<PricePaid> there{paid(0.001, 1, 0.002)}; // paid already
-    EXPECT_NEAR(predict_price(there, fine, 0.0001)->seconds, 100, 1e-9);
+    EXPECT_NEAR(predict_price(there, fine, for_error(0.0001))->seconds, 100, 1e-9);
 }
 
 TEST(Price, IsPaidWhereTheErrorIsKnown) {
@@ -81,7 +85,7 @@ TEST(Price, IsPaidWhereTheErrorIsKnown) {
     c.converged = true;
     c.error_limit = 0.004;
     const PricePaid p = *price_paid(by_tolerance, c);
-    EXPECT_EQ(p.error, 0.01) << "what was asked for";
+    EXPECT_EQ(p.error, 0.004) << "what was measured, which is below what was asked for";
     EXPECT_EQ(p.threshold, 0.03);
     EXPECT_EQ(p.price.seconds, 2);
     EXPECT_EQ(p.price.patches, 7);
