@@ -41,6 +41,7 @@ Json final_state(const Snapshot *solution) {
                  {"patches", c.patches},
                  {"coefficients", c.coefficients},
                  {"links", c.links},
+                 {"link_bytes", c.link_bytes},
                  {"curves", c.curves},
                  {"nodes_at_limit", c.nodes_at_limit},
                  {"sampled_visibility", c.total_work.sampled_visibility},

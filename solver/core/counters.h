@@ -35,7 +35,7 @@ struct Counters {
     std::int64_t coefficients = 0; ///< basis functions on these leaves (one set serves the three channels)
     std::int64_t links = 0;
     std::int64_t link_coefficients = 0; ///< K_ij of all links: what one gather multiplies with
-    std::int64_t link_bytes = 0;        ///< memory that the links take: K_ij and what their fits miss
+    std::int64_t link_bytes = 0;        ///< memory that they take, with the gather's copies; known once gathered
     int curves = 0;           ///< known so far: of emitters, and of reflectors whose light needed them
     int untraced_pairs = 0;   ///< reflectors and receivers whose curves were wanted, but too much stands between the two
     int nodes_at_limit = 0;   ///< nodes that failed the oracle at the depth limit and were kept

@@ -295,8 +295,6 @@ private:
                 for (const Link &link : interaction->links) {
                     ++c.links;
                     c.link_coefficients += link.kernel.size();
-                    c.link_bytes += static_cast<std::int64_t>(
-                        sizeof(Link) + sizeof(double) * static_cast<std::size_t>(link.kernel.size() + link.misfit.size()));
                 }
             if (!element.leaf() || !scene_.reflects(element.surface))
                 continue;

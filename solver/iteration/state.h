@@ -4,6 +4,7 @@
 #include "core/counters.h"
 #include "discontinuity/curve_index.h"
 #include "hierarchy/push_pull.h"
+#include "iteration/link_batch.h"
 #include "iteration/snapshot.h"
 #include "transport/interaction.h"
 #include "visibility/ray_scene.h"
@@ -36,6 +37,7 @@ struct State {
     Counters counters;
     Forest forest;
     std::vector<std::vector<std::shared_ptr<const Interaction>>> interactions; ///< by receiver element
+    std::vector<std::shared_ptr<const LinkBatch>> batches; ///< of the interactions, by receiver; renewed by the gather
     std::vector<std::vector<char>> linked; ///< [receiver surface][source surface]: its root pairs were dealt with
     /// Curves of all emitters, and of those reflectors whose light needed them; only ever added to, at the end.
     std::shared_ptr<const CurveIndex> curves;
@@ -52,7 +54,8 @@ struct State {
 
 /// Links new pairs, tests all T_S with the oracle, splits the nodes that failed, and links their children.
 void refine(const Setting &setting, State &state, const Cancel *cancel);
-/// What these radiosities bring to every element by its own links: the sum over them of K b.
+/// What these radiosities bring to every element by its own links: the sum over them of K b. Of the batches, which must be
+/// those of the interactions (as after a gather).
 Coefficients gathered(const State &state, const Coefficients &radiosity, const Cancel *cancel);
 /// irradiance = sum over the links of K b, at the level of each link.
 void gather(const Setting &setting, State &state, const Cancel *cancel);

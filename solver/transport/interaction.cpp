@@ -40,15 +40,6 @@ auto radiosity_of(const Forest &forest, const Link &link, const Coefficients &ra
 
 } // namespace
 
-Eigen::Matrix<double, Eigen::Dynamic, 3> Interaction::irradiance(const Forest &forest,
-                                                                const Coefficients &radiosity) const {
-    const int n = forest[receiver].basis.n_functions();
-    Eigen::Matrix<double, Eigen::Dynamic, 3> sum = Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(n, 3);
-    for (const Link &link : links)
-        sum.topRows(link.kernel.rows()) += link.kernel * radiosity_of(forest, link, radiosity);
-    return sum;
-}
-
 Eigen::Matrix<double, Eigen::Dynamic, 3> Interaction::misfits(const Forest &forest, const Coefficients &radiosity) const {
     Eigen::Matrix<double, Eigen::Dynamic, 3> sum(links.empty() ? 0 : links[0].misfit.rows(), 3);
     sum.setZero();

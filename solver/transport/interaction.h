@@ -37,8 +37,6 @@ struct Interaction {
     std::vector<PairBlocker> blockers; ///< those that may stand between p and S
     std::vector<Link> links;           ///< their sources tile S
 
-    /// T_S on p: coefficients of the irradiance in p's basis (functions x channels), with the present radiosity.
-    Eigen::Matrix<double, Eigen::Dynamic, 3> irradiance(const Forest &forest, const Coefficients &radiosity) const;
     /// Largest |T_S - fit| over the test points for each channel [W/m2, before reflection].
     Rgb largest_misfit(const Forest &forest, const Coefficients &radiosity) const;
     /// The mean of (T_S - fit)^2 over them, all counting the same: borders and shadows, where they are dense, weigh more

@@ -216,7 +216,7 @@ TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
     for (const char *key : {"iteration", "patches", "coefficients", "links", "kernel_evaluations", "clips", "rays",
                             "refine_s", "gather_s", "push_pull_s", "change"})
         EXPECT_TRUE(json["iterations"].at(0).contains(key)) << key;
-    for (const char *key : {"converged", "patches", "coefficients", "links", "nodes_at_limit", "sampled_visibility",
+    for (const char *key : {"converged", "patches", "coefficients", "links", "link_bytes", "nodes_at_limit", "sampled_visibility",
                             "kernel_evaluations", "clips", "rays", "seconds", "peak_memory_mib", "estimated_error",
                             "error_bound"})
         EXPECT_TRUE(json["final"].contains(key)) << key;

@@ -1,0 +1,53 @@
+// The links of one receiver element as one block of memory that the gather reads from end to end.
+#pragma once
+
+#include "core/cancel.h"
+#include "transport/interaction.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace penumbra {
+
+/// A copy of the kernels of an element's interactions in arrays, those of one shape together, else in the interactions'
+/// order: what a gather needs and no more (of a pair of constants 12 bytes, where the interaction itself takes some
+/// hundreds). Immutable.
+class LinkBatch {
+public:
+    using Interactions = std::vector<std::shared_ptr<const Interaction>>;
+
+    LinkBatch(const Forest &forest, const Interactions &interactions);
+
+    /// Whether it was made from these very interactions.
+    bool made_from(const Interactions &interactions) const { return interactions_ == interactions; }
+    std::size_t n_links() const { return sources_.size(); }
+    /// Bytes of kernels and source numbers: what one gather reads of it.
+    std::size_t bytes() const;
+
+    /// sum over the links of K b: coefficients of the irradiance, added to `irradiance` (functions of the receiver x
+    /// channels). Always in the same order.
+    void add_irradiance(const Coefficients &radiosity, Eigen::Ref<Coefficients> irradiance) const;
+
+private:
+    /// Links one after the other whose kernels have the same shape.
+    struct Run {
+        Eigen::Index rows, columns;
+        std::size_t n_links;
+    };
+    std::vector<double> kernels_;       ///< column by column
+    std::vector<std::int32_t> sources_; ///< first coefficient of each link's source
+    std::vector<Run> runs_;
+    Interactions interactions_; ///< kept alive, so that no other can take an old one's address
+};
+
+/// Batches of all receivers, by element. Those whose interactions are the ones they were made from stay; the others are
+/// made anew, in parallel. A receiver without interactions has none.
+void renew(std::vector<std::shared_ptr<const LinkBatch>> &batches, const Forest &forest,
+           const std::vector<LinkBatch::Interactions> &interactions, const Cancel *cancel);
+
+/// Bytes that all links take: kernels and misfits (interaction.h), and the batches' copies.
+std::int64_t link_bytes(const std::vector<LinkBatch::Interactions> &interactions,
+                        const std::vector<std::shared_ptr<const LinkBatch>> &batches);
+
+} // namespace penumbra
