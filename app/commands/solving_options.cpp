@@ -40,6 +40,13 @@ std::vector<std::string> cut_choices() {
     return all;
 }
 
+std::vector<std::string> gather_orders() {
+    std::vector<std::string> all;
+    for (const GatherOrder o : all_gather_orders)
+        all.emplace_back(name(o));
+    return all;
+}
+
 } // namespace
 
 CLI::Validator positive() {
@@ -131,6 +138,12 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
             "auto (default: where a reflectance reaches 0.95), on or off: each step goes on with a constant on each "
             "surface, solved for directly")
         ->check(CLI::IsMember({"auto", "on", "off"}));
+    parser
+        .add_option_function<std::string>(
+            "--gather", [&o](const std::string &text) { o.gather = *gather_order_from_name(text); },
+            "In which order light is gathered: jacobi (default: from the step before), gauss-seidel (surface after "
+            "surface, from what is there by then) or southwell (the surface with the most unshot light shoots first)")
+        ->check(CLI::IsMember(gather_orders()));
     parser.add_option("--threads", o.threads, "Threads; 0: all cores")->check(CLI::Range(0, 4096))->capture_default_str();
     add_pending_option(parser, "--effect", "NAME=auto|on|off");
     parser

@@ -75,6 +75,8 @@ Options read_options(const JsonValue &json) {
         o.cut = named(*cut, cut_choice_from_name, "curves or best");
     if (const auto correction = json.known("coarse_correction"))
         o.coarse_correction = named(*correction, switch_from_name, "auto, on or off");
+    if (const auto gather = json.known("gather"))
+        o.gather = named(*gather, gather_order_from_name, "jacobi, gauss-seidel or southwell");
     read_whole(json, "order", 1, 4, o.order);
     read_whole(json, "max_depth", 0, 20, o.max_depth);
     read_whole(json, "max_iterations", 1, most_iterations, o.max_iterations);

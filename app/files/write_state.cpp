@@ -22,7 +22,8 @@ Json options(const Options &o) {
             {"cut", name(o.cut)},
             {"max_depth", o.max_depth},
             {"max_iterations", o.max_iterations},
-            {"coarse_correction", name(o.coarse_correction)}};
+            {"coarse_correction", name(o.coarse_correction)},
+            {"gather", name(o.gather)}};
 }
 
 Json camera(const Camera &c) {

@@ -10,6 +10,7 @@ struct Work {
     std::int64_t kernel_evaluations = 0; ///< G at a pair of points, or one closed-form polygon integral
     std::int64_t clips = 0;              ///< a source clipped by the cone of one blocker, for one receiver point
     std::int64_t rays = 0;
+    std::int64_t link_evaluations = 0;   ///< links whose kernel was multiplied by a radiosity in the gather
     std::int64_t sampled_visibility = 0; ///< partly hidden evaluations that were sampled instead of clipped
     /// Curves that came within rounding of something when a node was split: ends that the cut moved onto a corner, and
     /// curves not cut along because they run along the cut or along a side.
@@ -21,6 +22,7 @@ struct Work {
         kernel_evaluations += o.kernel_evaluations;
         clips += o.clips;
         rays += o.rays;
+        link_evaluations += o.link_evaluations;
         sampled_visibility += o.sampled_visibility;
         snapped_cuts += o.snapped_cuts;
         left_out_curves += o.left_out_curves;

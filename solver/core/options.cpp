@@ -36,6 +36,17 @@ std::optional<CutChoice> cut_choice_from_name(std::string_view text) {
     return std::nullopt;
 }
 
+std::string_view name(GatherOrder order) {
+    return order == GatherOrder::jacobi ? "jacobi" : order == GatherOrder::gauss_seidel ? "gauss-seidel" : "southwell";
+}
+
+std::optional<GatherOrder> gather_order_from_name(std::string_view text) {
+    for (const GatherOrder o : all_gather_orders)
+        if (name(o) == text)
+            return o;
+    return std::nullopt;
+}
+
 std::string_view name(Switch value) {
     return value == Switch::automatic ? "auto" : value == Switch::on ? "on" : "off";
 }

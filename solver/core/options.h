@@ -41,6 +41,16 @@ inline constexpr CutChoice all_cut_choices[] = {CutChoice::curves, CutChoice::be
 std::string_view name(CutChoice choice);
 std::optional<CutChoice> cut_choice_from_name(std::string_view name);
 
+/// In which order a gather uses what it has found (iteration/relaxation.h).
+enum class GatherOrder { jacobi, gauss_seidel, southwell };
+
+inline constexpr GatherOrder all_gather_orders[] = {GatherOrder::jacobi, GatherOrder::gauss_seidel,
+                                                    GatherOrder::southwell};
+
+/// `jacobi`, `gauss-seidel`, `southwell`; the public names.
+std::string_view name(GatherOrder order);
+std::optional<GatherOrder> gather_order_from_name(std::string_view name);
+
 /// At which the paper's figures come out: about its counts of patches for all four strategies, and its three for (d).
 inline constexpr double paper_threshold = 0.03;
 
@@ -78,6 +88,7 @@ struct Options {
     bool reflector_curves = true;
     /// Each step goes on with a constant on each surface, solved for directly (iteration/coarse_correction.h).
     Switch coarse_correction = Switch::automatic;
+    GatherOrder gather = GatherOrder::jacobi;
     /// 0: all cores.
     int threads = 0;
 

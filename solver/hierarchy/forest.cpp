@@ -97,6 +97,13 @@ void add_halves(Forest &forest, ElementId leaf, const Element &parent, int itera
 
 } // namespace
 
+std::vector<std::vector<ElementId>> elements_by_surface(const Forest &forest) {
+    std::vector<std::vector<ElementId>> out(forest.roots.size());
+    for (std::size_t e = 0; e < forest.elements.size(); ++e)
+        out[forest.elements[e].surface.at()].emplace_back(e);
+    return out;
+}
+
 void subdivide(Forest &forest, ElementId leaf, int iteration) {
     PENUMBRA_CHECK(forest[leaf].n_children, ==, 0);
     const ElementId first(forest.elements.size());

@@ -57,6 +57,9 @@ int uniform_half_depth(const ElementBasis &basis);
 /// Splits a leaf uniformly.
 void subdivide(Forest &forest, ElementId leaf, int iteration);
 
+/// The elements of every surface, parents before children.
+std::vector<std::vector<ElementId>> elements_by_surface(const Forest &forest);
+
 /// Calls visit(id) for every leaf below (or at) e, in order.
 template <class Visit>
 void for_each_leaf(const Forest &forest, ElementId e, const Visit &visit) {

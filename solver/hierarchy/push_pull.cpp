@@ -4,29 +4,34 @@
 
 namespace penumbra {
 
-namespace {
-
-auto rows(const Element &e, auto &coefficients) { return coefficients.middleRows(e.first, e.basis.n_functions()); }
-
-} // namespace
-
-void push_pull(const Forest &forest, const Scene &scene, const Coefficients &gathered, Coefficients &radiosity) {
-    Coefficients irradiance = gathered;
-    for (const Element &e : forest.elements) // parents stand before their children
+void push_pull(const Forest &forest, const Scene &scene, std::span<const ElementId> elements, const Coefficients &gathered,
+               Coefficients &pushed, Coefficients &radiosity) {
+    for (const ElementId id : elements) {
+        const Element &e = forest[id];
+        rows(e, pushed) = rows(e, gathered);
         if (e.parent.valid())
-            rows(e, irradiance) += e.filters->push * rows(forest[e.parent], irradiance);
-
-    radiosity.setZero(forest.n_coefficients, 3);
-    for (std::size_t i = forest.elements.size(); i-- > 0;) {
-        const Element &e = forest.elements[i];
+            rows(e, pushed) += e.filters->push * rows(forest[e.parent], pushed);
+        rows(e, radiosity).setZero();
+    }
+    for (std::size_t i = elements.size(); i-- > 0;) {
+        const Element &e = forest[elements[i]];
         auto b = rows(e, radiosity);
         if (e.leaf()) {
-            b = rows(e, irradiance) * scene.reflectance(e.surface).matrix().asDiagonal();
+            b = rows(e, pushed) * scene.reflectance(e.surface).matrix().asDiagonal();
             b.row(0) += scene.exitance(e.surface).matrix().transpose();
         }
         if (e.parent.valid())
             rows(forest[e.parent], radiosity) += e.filters->pull * b;
     }
+}
+
+void push_pull(const Forest &forest, const Scene &scene, const Coefficients &gathered, Coefficients &radiosity) {
+    Coefficients pushed(forest.n_coefficients, 3);
+    radiosity.resize(forest.n_coefficients, 3);
+    std::vector<ElementId> all;
+    for (std::size_t e = 0; e < forest.elements.size(); ++e)
+        all.emplace_back(e);
+    push_pull(forest, scene, all, gathered, pushed, radiosity);
 }
 
 std::vector<double> dropped_detail(const Forest &forest, const Coefficients &radiosity) {

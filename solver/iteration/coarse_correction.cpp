@@ -57,13 +57,15 @@ void correct_coarsely(const Setting &setting, State &state, const Coefficients &
         }
         change.row(s) /= area(state.forest, id);
     }
-    const Eigen::Matrix<double, Eigen::Dynamic, 3> to_come = bounces_to_come(setting, state, change);
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> to_come =
+        bounces_to_come(setting, state, change, setting.options.gather == GatherOrder::gauss_seidel);
     for (const Element &e : state.forest.elements)
         state.radiosity.row(e.first) += to_come.row(e.surface.index);
 }
 
 Eigen::Matrix<double, Eigen::Dynamic, 3> bounces_to_come(const Setting &setting, const State &state,
-                                                         const Eigen::Matrix<double, Eigen::Dynamic, 3> &mean) {
+                                                         const Eigen::Matrix<double, Eigen::Dynamic, 3> &mean,
+                                                         bool from_later_alone) {
     const Scene &scene = *setting.scene;
     const int n = scene.n_surfaces();
     const Eigen::MatrixXd factors = form_factors(state, n);
@@ -73,7 +75,9 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> bounces_to_come(const Setting &setting,
         for (int s = 0; s < n; ++s)
             rho[s] = scene.reflectance(SurfaceId(s))[channel];
         const Eigen::MatrixXd a = rho.asDiagonal() * factors;
-        out.col(channel) = (Eigen::MatrixXd::Identity(n, n) - a).partialPivLu().solve(a * mean.col(channel));
+        const Eigen::VectorXd first = from_later_alone ? Eigen::VectorXd(a.triangularView<Eigen::StrictlyUpper>() * mean.col(channel))
+                                                       : Eigen::VectorXd(a * mean.col(channel));
+        out.col(channel) = (Eigen::MatrixXd::Identity(n, n) - a).partialPivLu().solve(first);
     }
     return out;
 }

@@ -1,4 +1,4 @@
-#include "iteration/state.h"
+#include "iteration/relaxation.h"
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -18,11 +18,31 @@ Coefficients gathered(const State &state, const Coefficients &radiosity, const C
     return irradiance;
 }
 
-void gather(const Setting &, State &state, const Cancel *cancel) {
-    renew(state.batches, state.forest, state.interactions, cancel);
-    state.irradiance = gathered(state, state.radiosity, cancel);
+void gather(const Setting &setting, State &state, const Cancel *cancel) {
+    const auto renewed = renew(state.batches, state.forest, state.interactions, cancel);
+    const std::string n_links = std::to_string(state.counters.links) + " links";
+    Work work;
+    work.link_evaluations = state.counters.links;
+    switch (setting.options.gather) {
+    case GatherOrder::jacobi:
+        state.irradiance = gathered(state, state.radiosity, cancel);
+        state.sentence = "gathered over " + n_links;
+        break;
+    case GatherOrder::gauss_seidel:
+        state.irradiance = gathered_in_turn(setting, state, cancel);
+        state.sentence = "gathered over " + n_links + ", each surface from what those before it had just got";
+        break;
+    case GatherOrder::southwell: {
+        const Shots shots = shoot(setting, state, renewed, cancel);
+        work.link_evaluations = shots.links;
+        state.sentence = std::to_string(shots.surfaces) + " times the surface with the most unshot light shot it, over " +
+                         std::to_string(shots.links) + " of " + n_links;
+        break;
+    }
+    }
+    state.counters.work += work;
+    state.counters.total_work += work;
     state.counters.link_bytes = link_bytes(state.interactions, state.batches);
-    state.sentence = "gathered over " + std::to_string(state.counters.links) + " links";
 }
 
 } // namespace penumbra

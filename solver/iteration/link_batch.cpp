@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <tuple>
 
 namespace penumbra {
 
@@ -73,26 +73,35 @@ auto adder(Eigen::Index rows) {
     }
 }
 
-std::pair<Eigen::Index, Eigen::Index> shape(const Link *link) { return {link->kernel.rows(), link->kernel.cols()}; }
+struct Placed {
+    const Link *link;
+    SurfaceId source;
+
+    auto key() const { return std::tuple(link->kernel.rows(), link->kernel.cols(), source); }
+};
 
 } // namespace
 
 LinkBatch::LinkBatch(const Forest &forest, const Interactions &interactions) : interactions_(interactions) {
-    std::vector<const Link *> links;
+    std::vector<Placed> links;
     std::size_t n_values = 0;
     for (const auto &interaction : interactions)
         for (const Link &link : interaction->links) {
-            links.push_back(&link);
+            links.push_back({&link, interaction->source});
             n_values += static_cast<std::size_t>(link.kernel.size());
         }
-    std::ranges::stable_sort(links, {}, shape);
+    std::ranges::stable_sort(links, {}, &Placed::key);
     kernels_.reserve(n_values);
     sources_.reserve(links.size());
-    for (const Link *link : links) {
-        const auto [rows, columns] = shape(link);
-        if (runs_.empty() || runs_.back().rows != rows || runs_.back().columns != columns)
-            runs_.push_back({rows, columns, 0});
+    for (const auto &[link, source] : links) {
+        const Run one{link->kernel.rows(), link->kernel.cols(), 0, sources_.size(), kernels_.size()};
+        const bool another = runs_.empty() || runs_.back().rows != one.rows || runs_.back().columns != one.columns;
+        if (another)
+            runs_.push_back(one);
+        if (another || parts_.back().source != source)
+            parts_.push_back({source, one});
         ++runs_.back().n_links;
+        ++parts_.back().links.n_links;
         sources_.push_back(forest[link->source].first);
         kernels_.insert(kernels_.end(), link->kernel.data(), link->kernel.data() + link->kernel.size());
     }
@@ -102,30 +111,45 @@ std::size_t LinkBatch::bytes() const {
     return kernels_.size() * sizeof(double) + sources_.size() * sizeof(std::int32_t);
 }
 
-void LinkBatch::add_irradiance(const Coefficients &radiosity, Rows irradiance) const {
-    const double *kernel = kernels_.data();
-    const std::int32_t *source = sources_.data();
-    for (const Run &run : runs_) {
-        if (run.rows * run.columns == 1)
-            add_constants(kernel, source, run.n_links, radiosity.data(), irradiance);
-        else
-            adder(run.rows)(kernel, source, run.n_links, run.columns, radiosity.data(), irradiance);
-        kernel += run.n_links * static_cast<std::size_t>(run.rows * run.columns);
-        source += run.n_links;
-    }
+void LinkBatch::add(const Run &run, const Coefficients &radiosity, Rows irradiance) const {
+    const double *kernels = kernels_.data() + run.first_value;
+    const std::int32_t *sources = sources_.data() + run.first_link;
+    if (run.rows * run.columns == 1)
+        add_constants(kernels, sources, run.n_links, radiosity.data(), irradiance);
+    else
+        adder(run.rows)(kernels, sources, run.n_links, run.columns, radiosity.data(), irradiance);
 }
 
-void renew(std::vector<std::shared_ptr<const LinkBatch>> &batches, const Forest &forest,
-           const std::vector<LinkBatch::Interactions> &interactions, const Cancel *cancel) {
+void LinkBatch::add_irradiance(const Coefficients &radiosity, Rows irradiance) const {
+    for (const Run &run : runs_)
+        add(run, radiosity, irradiance);
+}
+
+std::size_t LinkBatch::add_irradiance_from(SurfaceId source, const Coefficients &radiosity, Rows irradiance) const {
+    std::size_t n_links = 0;
+    for (const Part &part : parts_)
+        if (part.source == source) {
+            add(part.links, radiosity, irradiance);
+            n_links += part.links.n_links;
+        }
+    return n_links;
+}
+
+std::vector<char> renew(std::vector<std::shared_ptr<const LinkBatch>> &batches, const Forest &forest,
+                        const std::vector<LinkBatch::Interactions> &interactions, const Cancel *cancel) {
+    std::vector<char> renewed(interactions.size(), 0);
     batches.resize(interactions.size());
     parallel_for(interactions.size(), [&](std::size_t e) {
         if (cancel)
             cancel->check();
-        if (interactions[e].empty())
-            batches[e] = nullptr;
-        else if (!batches[e] || !batches[e]->made_from(interactions[e]))
-            batches[e] = std::make_shared<const LinkBatch>(forest, interactions[e]);
+        const bool up_to_date =
+            batches[e] ? batches[e]->made_from(interactions[e]) : interactions[e].empty();
+        if (up_to_date)
+            return;
+        renewed[e] = 1;
+        batches[e] = interactions[e].empty() ? nullptr : std::make_shared<const LinkBatch>(forest, interactions[e]);
     });
+    return renewed;
 }
 
 std::int64_t link_bytes(const std::vector<LinkBatch::Interactions> &interactions,

@@ -38,7 +38,8 @@ Extremes extremes(const State &state, const Scene &scene, const Coefficients &be
 
 void push_pull(const Setting &setting, State &state) {
     const Scene &scene = *setting.scene;
-    const Coefficients before = state.radiosity;
+    // Of what light has been gathered already: the rest is still to come.
+    const Coefficients before = setting.options.gather == GatherOrder::southwell ? state.shot : state.radiosity;
     push_pull(state.forest, scene, state.irradiance, state.radiosity);
     const bool corrects = corrects_coarsely(setting);
     if (corrects)

@@ -46,6 +46,7 @@ struct State {
     int n_untraced = 0; ///< pairs of these that got none, too much standing between them
     Coefficients irradiance;               ///< as gathered, at each level
     Coefficients radiosity;                ///< at each level, the upper ones pulled from the leaves
+    Coefficients shot; ///< GatherOrder::southwell: the radiosity that `irradiance` came from; else empty
     double peak = 0;                       ///< largest reflected radiosity B - E, largest channel [W/m2]
     std::string sentence;                  ///< what the last phase did
 };
@@ -57,7 +58,7 @@ void refine(const Setting &setting, State &state, const Cancel *cancel);
 /// What these radiosities bring to every element by its own links: the sum over them of K b. Of the batches, which must be
 /// those of the interactions (as after a gather).
 Coefficients gathered(const State &state, const Coefficients &radiosity, const Cancel *cancel);
-/// irradiance = sum over the links of K b, at the level of each link.
+/// irradiance = sum over the links of K b, at the level of each link; which b, Options::gather says (relaxation.h).
 void gather(const Setting &setting, State &state, const Cancel *cancel);
 /// Irradiance down to the leaves, radiosity up; the change, the peak and whether the iteration has converged.
 void push_pull(const Setting &setting, State &state);

@@ -112,7 +112,8 @@ Trial replay(const Trial &decided, const Faces &faces, const Similarity &map) {
     const auto scene = std::make_shared<const Scene>(build_scene(mapped(faces, map), decided.scene->name));
     PENUMBRA_CHECK(scene->n_surfaces(), ==, decided.scene->n_surfaces());
     const Cancel *cancel = decided.setting.cancel;
-    const Setting setting{scene, decided.setting.options, std::make_unique<const Blockers>(*scene)};
+    Setting setting{scene, decided.setting.options, std::make_unique<const Blockers>(*scene)};
+    setting.options.gather = GatherOrder::jacobi; // all have one fixed point; this one starts from any radiosity
     auto state = std::make_shared<State>();
     state->counters = decided.state->counters;
     state->curves = decided.state->curves;

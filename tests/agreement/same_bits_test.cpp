@@ -15,9 +15,10 @@ namespace {
 
 std::shared_ptr<const Scene> cornell_box() { return std::make_shared<const Scene>(open_scene("cornell-box")); }
 
-Options loose(int threads) {
+Options loose(int threads, GatherOrder gather = GatherOrder::jacobi) {
     Options options;
     options.threshold = 0.02;
+    options.gather = gather;
     options.threads = threads;
     return options;
 }
@@ -42,8 +43,8 @@ void expect_same_bits(const State &a, const State &b) {
     EXPECT_EQ(a.counters.change, b.counters.change);
 }
 
-std::shared_ptr<const State> after_steps(int threads) {
-    Solver solver(cornell_box(), loose(threads));
+std::shared_ptr<const State> after_steps(int threads, GatherOrder gather = GatherOrder::jacobi) {
+    Solver solver(cornell_box(), loose(threads, gather));
     for (int i = 0; i < n_steps; ++i)
         solver.step();
     return solver.state();
@@ -55,6 +56,14 @@ TEST(SameBits, ForAnyNumberOfThreads) {
     EXPECT_GT(one->peak, 0);
     for (const int threads : {2, 4})
         expect_same_bits(*one, *after_steps(threads));
+}
+
+TEST(SameBits, InWhateverOrderLightIsGathered) {
+    for (const GatherOrder order : {GatherOrder::gauss_seidel, GatherOrder::southwell}) {
+        const auto one = after_steps(1, order);
+        EXPECT_GT(one->peak, 0);
+        expect_same_bits(*one, *after_steps(4, order));
+    }
 }
 
 TEST(SameBits, AfterACancelledStep) {

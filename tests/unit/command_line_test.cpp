@@ -214,10 +214,10 @@ TEST_F(CommandLine, TheRecordHoldsWhatTheContractLists) {
                             "iterations", "final", "effects", "diagnostics"})
         EXPECT_TRUE(json.contains(key)) << key;
     for (const char *key : {"iteration", "patches", "coefficients", "links", "kernel_evaluations", "clips", "rays",
-                            "refine_s", "gather_s", "push_pull_s", "change"})
+                            "link_evaluations", "refine_s", "gather_s", "push_pull_s", "change"})
         EXPECT_TRUE(json["iterations"].at(0).contains(key)) << key;
     for (const char *key : {"converged", "patches", "coefficients", "links", "link_bytes", "nodes_at_limit", "sampled_visibility",
-                            "kernel_evaluations", "clips", "rays", "seconds", "peak_memory_mib", "estimated_error",
+                            "kernel_evaluations", "clips", "rays", "link_evaluations", "seconds", "peak_memory_mib", "estimated_error",
                             "error_bound"})
         EXPECT_TRUE(json["final"].contains(key)) << key;
     for (const char *key : {"energy_balance_error", "min_radiosity", "max_filter_condition", "non_finite"})
@@ -241,6 +241,20 @@ TEST_F(CommandLine, TheRecordSaysHowItWasCut) {
     EXPECT_EQ(cuts(""), "curves");
     EXPECT_EQ(cuts(" --cut curves"), "curves");
     EXPECT_EQ(cuts(" --cut best"), "best");
+}
+
+TEST_F(CommandLine, TheRecordSaysInWhichOrderItGathered) {
+    const auto gathered = [&](const std::string &options) {
+        EXPECT_EQ(run("solve figure-4 --threshold 0.05 -o r.json" + options).status, 0);
+        return record("r.json");
+    };
+    EXPECT_EQ(gathered("")["gather"], "jacobi");
+    for (const char *order : {"jacobi", "gauss-seidel", "southwell"}) {
+        const auto json = gathered(" --gather " + std::string(order));
+        EXPECT_EQ(json["gather"], order);
+        EXPECT_GE(json["final"]["link_evaluations"], json["final"]["links"]);
+    }
+    EXPECT_EQ(run("solve figure-4 --gather seidel").status, 2);
 }
 
 TEST_F(CommandLine, TheRecordGoesToStandardOutputUnlessNamed) {

@@ -26,7 +26,8 @@ SavedState unusual() {
                  .tolerance = 0.1 / 3,
                  .max_depth = 9,
                  .max_iterations = 7,
-                 .cut = CutChoice::best};
+                 .cut = CutChoice::best,
+                 .gather = GatherOrder::southwell};
     s.strategies = {Strategy::discontinuity_constant, Strategy::uniform_constant, Strategy::uniform_wavelet};
     s.active = 1;
     s.position = 4;
@@ -63,6 +64,7 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     EXPECT_EQ(again.options.threshold, s.options.threshold);
     EXPECT_EQ(again.options.tolerance, s.options.tolerance);
     EXPECT_EQ(again.options.strategy, Strategy::uniform_constant) << "the active pane's";
+    EXPECT_EQ(again.options.gather, GatherOrder::southwell);
     EXPECT_EQ(again.strategies, s.strategies);
 }
 
