@@ -19,7 +19,7 @@ namespace penumbra {
 struct Setting {
     std::shared_ptr<const Scene> scene;
     Options options;
-    std::unique_ptr<const Blockers> blockers;
+    std::unique_ptr<const Blockers> blockers{};
     std::unique_ptr<const RayScene> rays{}; ///< for the error's estimate; null: light bounces once
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
