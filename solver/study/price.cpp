@@ -58,27 +58,17 @@ double predicted(const Samples &samples, double exponent, double x) {
     return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
 }
 
-/// The threshold of a solution with this error, from the most accurate one so far: errors fall by about the 1.5th power of it.
-double threshold_for(std::span<const PricePaid> paid, double error) {
-    const PricePaid *finest = nullptr;
-    for (const PricePaid &p : paid)
-        if (p.threshold > 0 && (!finest || p.error < finest->error))
-            finest = &p;
-    return finest ? finest->threshold * std::pow(error / finest->error, 1 / 1.5) : error;
-}
+/// On the way to a tolerance links are made for this threshold or a smaller one.
+double links_threshold(double tolerance) { return 2 * tolerance; }
 
 } // namespace
 
 std::optional<PricePaid> price_paid(const Options &options, const Counters &c, double true_error) {
-    PricePaid paid{0, 0, {c.seconds, static_cast<double>(c.link_bytes), static_cast<double>(c.patches)}};
-    if (!options.tolerance) {
+    PricePaid paid{c.error_limit, c.threshold, {c.seconds, static_cast<double>(c.link_bytes), static_cast<double>(c.patches)}};
+    if (options.tolerance)
+        paid.threshold = links_threshold(*options.tolerance);
+    else
         paid.error = c.settled ? true_error : 0;
-        paid.threshold = c.threshold;
-    } else {
-        paid.error = c.error_limit;
-        if (c.converged) // else it has been lowered since
-            paid.threshold = c.threshold;
-    }
     if (!(paid.error > 0 && c.seconds > 0))
         return std::nullopt;
     return paid;
@@ -87,18 +77,17 @@ std::optional<PricePaid> price_paid(const Options &options, const Counters &c, d
 std::optional<Price> predict_price(std::span<const PricePaid> paid, const PriceGrowth &usual, double tolerance) {
     if (paid.empty() || !(tolerance > 0))
         return std::nullopt;
-    const double error = used_up * tolerance;
-    const auto log_fine_links = [&](double at) {
-        return threshold_for(paid, at) < fine_threshold ? std::log(usual.fine_links) : 0;
+    const auto log_fine_links = [&](double threshold) {
+        return threshold < fine_threshold ? std::log(usual.fine_links) : 0;
     };
     const auto part = [&](double Price::*of, double exponent, bool with_fine_links) {
         Samples samples;
         for (const PricePaid &p : paid)
             samples.push_back({-std::log(p.error), std::log(std::max(p.price.*of, 1e-9)) -
-                                                       (with_fine_links ? log_fine_links(p.error) : 0)});
+                                                       (with_fine_links ? log_fine_links(p.threshold) : 0)});
         samples = in_order(std::move(samples));
-        const double y = predicted(samples, fitted_exponent(samples, exponent, usual.spread), -std::log(error));
-        return std::exp(y + (with_fine_links ? log_fine_links(error) : 0));
+        const double y = predicted(samples, fitted_exponent(samples, exponent, usual.spread), -std::log(used_up * tolerance));
+        return std::exp(y + (with_fine_links ? log_fine_links(links_threshold(tolerance)) : 0));
     };
     return Price{part(&Price::seconds, usual.seconds, true), part(&Price::bytes, usual.bytes, false),
                  part(&Price::patches, usual.patches, false)};

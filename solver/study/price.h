@@ -19,7 +19,7 @@ struct Price {
 /// A price that was paid, at the end or on the way.
 struct PricePaid {
     double error = 0;     ///< relative L2: its upper limit, as measured, or the true one
-    double threshold = 0; ///< oracle's; 0: not known
+    double threshold = 1; ///< that its links were made for (Setting::transport)
     Price price;
 };
 
@@ -34,7 +34,7 @@ inline constexpr double used_up = 0.7;
 struct PriceGrowth {
     double seconds = 0, bytes = 0, patches = 0; ///< exponents
     double spread = 0.3;  ///< standard deviation of the exponents from scene to scene
-    double fine_links = 1; ///< by how much seconds rise where the threshold falls below fine_threshold
+    double fine_links = 1; ///< by how much seconds rise where links are made for a threshold below fine_threshold
 };
 
 /// Links are made with more points below this threshold (Transport::accuracy), which weighs where light is reflected again.

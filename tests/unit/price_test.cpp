@@ -14,7 +14,7 @@ constexpr PriceGrowth usual{.seconds = 2, .bytes = 1, .patches = 0.5, .spread = 
 /// The tolerance for which solutions end with this error.
 double for_error(double error) { return error / used_up; }
 
-PricePaid paid(double error, double seconds, double threshold = 0) {
+PricePaid paid(double error, double seconds, double threshold = 1) {
     return {error, threshold, {seconds, 1000 * seconds, 10 * seconds}};
 }
 
@@ -63,12 +63,12 @@ TEST(Price, NeverFallsWithTheErrorBeyondWhatWasPaid) {
 TEST(Price, OfFineLinksIsAddedOnceTheThresholdIsFine) {
     PriceGrowth fine = usual;
     fine.fine_links = 5;
-    // Thresholds go as error^(2/3): from 0.008 at 0.01 to 0.004 at 0.01 / 2^1.5, and to 0.002 at 0.01 / 8.
-    const std::vector<PricePaid> one{paid(0.01, 1, 0.008)};
-    EXPECT_NEAR(predict_price(one, fine, for_error(0.01 / std::pow(2, 1.5)))->seconds, 8, 1e-9);
-    EXPECT_NEAR(predict_price(one, fine, for_error(0.01 / 8))->seconds, 5 * 64, 1e-9);
-    const std::vector<PricePaid> there{paid(0.001, 1, 0.002)}; // paid already
-    EXPECT_NEAR(predict_price(there, fine, for_error(0.0001))->seconds, 100, 1e-9);
+    // Links are made for twice the tolerance. Exponent 2: half the error is four times as dear.
+    const std::vector<PricePaid> one{paid(used_up * 0.004, 1, 0.008)};
+    EXPECT_NEAR(predict_price(one, fine, 0.002)->seconds, 4, 1e-9) << "threshold 0.004";
+    EXPECT_NEAR(predict_price(one, fine, 0.001)->seconds, 5 * 16, 1e-9) << "threshold 0.002";
+    const std::vector<PricePaid> there{paid(used_up * 0.001, 1, 0.002)}; // paid already
+    EXPECT_NEAR(predict_price(there, fine, 0.0001)->seconds, 100, 1e-9);
 }
 
 TEST(Price, IsPaidWhereTheErrorIsKnown) {
@@ -86,7 +86,7 @@ TEST(Price, IsPaidWhereTheErrorIsKnown) {
     c.error_limit = 0.004;
     const PricePaid p = *price_paid(by_tolerance, c);
     EXPECT_EQ(p.error, 0.004) << "what was measured, which is below what was asked for";
-    EXPECT_EQ(p.threshold, 0.03);
+    EXPECT_EQ(p.threshold, 0.02) << "links are made for twice the tolerance";
     EXPECT_EQ(p.price.seconds, 2);
     EXPECT_EQ(p.price.patches, 7);
     EXPECT_EQ(p.price.bytes, 5);
