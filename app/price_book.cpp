@@ -8,7 +8,7 @@ namespace {
 
 bool same_options(const Options &a, const Options &b) {
     return a.strategy == b.strategy && a.basis == b.basis && a.order == b.order && a.tolerance == b.tolerance &&
-           (a.tolerance || a.threshold == b.threshold) && a.max_depth == b.max_depth && a.cut == b.cut &&
+           (a.tolerance || a.threshold == b.threshold) && a.max_depth == b.max_depth && a.cut == b.cut && a.gather == b.gather &&
            a.coarse_correction == b.coarse_correction && a.max_iterations == b.max_iterations;
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// What was paid with the one says something about the other.
 bool differ_in_accuracy_alone(const Options &a, const Options &b) {
     return a.strategy == b.strategy && a.basis == b.basis && a.effective_order() == b.effective_order() && a.cut == b.cut &&
-           a.coarse_correction == b.coarse_correction && a.threads == b.threads;
+           a.gather == b.gather && a.coarse_correction == b.coarse_correction && a.threads == b.threads;
 }
 
 } // namespace
