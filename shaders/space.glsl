@@ -1,5 +1,5 @@
 // From surfaces' planes to the screen. Space is the scene's, centred and scaled to unit size.
-uniform samplerBuffer surfaces; // 4 texels: origin | rank, u | role, v, normal
+uniform samplerBuffer surfaces; // 4 texels: origin | rank, u | role, v | 1 where it reflects, normal
 uniform mat4 view, projection;
 uniform vec3 eye;
 
@@ -7,6 +7,8 @@ uniform vec3 eye;
 const int reflector = 0, emitter = 1, blocker = 2;
 
 int role(int surface) { return int(texelFetch(surfaces, 4 * surface + 1).w); }
+
+bool reflects(int surface) { return texelFetch(surfaces, 4 * surface + 2).w > 0.0; }
 
 vec3 to_space(int surface, vec2 p) {
     return texelFetch(surfaces, 4 * surface).xyz + p.x * texelFetch(surfaces, 4 * surface + 1).xyz +

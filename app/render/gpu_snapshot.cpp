@@ -1,6 +1,5 @@
 #include "render/gpu_snapshot.h"
 
-#include "geometry/bilinear_quad.h"
 #include "render/look.h"
 #include "render/mesh_sides.h"
 #include "render/styles.h"
@@ -30,27 +29,10 @@ std::vector<glm::vec4> surface_texels(const Snapshot &snapshot, const UnitSpace 
     for (const SnapshotSurface &s : snapshot.surfaces) {
         texels.emplace_back(unit(s.origin), static_cast<float>(rank(s)));
         texels.emplace_back(direction(s.u), static_cast<float>(role(s)));
-        texels.emplace_back(direction(s.v), 0.f);
+        texels.emplace_back(direction(s.v), s.reflectance.maxCoeff() > 0 ? 1.f : 0.f);
         texels.emplace_back(direction(s.normal), 0.f);
     }
     return texels;
-}
-
-/// Whether the polynomial's quad is a box about the patch (planar basis), not the patch itself.
-bool is_box(const SnapshotPatch &patch) {
-    return std::ranges::any_of(patch.quad, [&](const Vec2 &q) {
-        return std::ranges::find(patch.corners, q) == patch.corners.end();
-    });
-}
-
-/// Quads on whose parameters the radiosity is a polynomial, and which tile the patch.
-std::vector<BilinearQuad> tiles(const SnapshotPatch &patch) {
-    if (!is_box(patch))
-        return {BilinearQuad{patch.quad}};
-    std::vector<BilinearQuad> quads;
-    for (const Polygon &piece : quads_and_triangles(patch.corners))
-        quads.push_back(bilinear_quad(piece));
-    return quads;
 }
 
 /// Mean over the area, by 3x3 Gauss points on quads and triangles: exact, the integrand being of degree 5 at most in each

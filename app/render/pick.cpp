@@ -6,20 +6,6 @@
 #include <limits>
 
 namespace penumbra {
-namespace {
-
-/// Even-odd rule; outlines may be concave.
-bool inside(const std::vector<Vec2> &outline, const Vec2 &p) {
-    bool in = false;
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        const Vec2 &a = outline[i], &b = outline[j];
-        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-            in = !in;
-    }
-    return in;
-}
-
-} // namespace
 
 int patch_at(const Snapshot &snapshot, int surface, const Vec2 &p) {
     int best = -1;
@@ -62,8 +48,8 @@ std::optional<Pick> pick(const Snapshot &snapshot, const Camera &camera, double 
         if (t <= 0 || (same_plane ? rank(s) >= best_rank : t > nearest))
             continue;
         const Vec3 point = eye + t * ray;
-        const Vec2 p((point - s.origin).dot(s.u), (point - s.origin).dot(s.v));
-        if (!inside(s.outline, p))
+        const Vec2 p = to_plane(s, point);
+        if (!holds(s, p))
             continue;
         nearest = t;
         best_rank = rank(s);

@@ -12,4 +12,10 @@ inline std::array<double, 4> legendre(double t) {
             2.6457513110645907 * x * (2.5 * x * x - 1.5)};
 }
 
+/// Their derivatives.
+inline std::array<double, 4> legendre_slopes(double t) {
+    const double x = 2 * t - 1;
+    return {0.0, 2 * 1.7320508075688772, 2 * 2.2360679774997897 * 3 * x, 2 * 2.6457513110645907 * (7.5 * x * x - 1.5)};
+}
+
 } // namespace penumbra

@@ -2,19 +2,10 @@
 
 #include "geometry/polygon.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace penumbra {
-
-namespace {
-
-bool is_covered(const SnapshotSurface &surface, const Vec2 &p) {
-    return std::ranges::any_of(surface.covers, [&](const auto &cover) { return contains(cover, p); });
-}
-
-} // namespace
 
 std::optional<Rgb> radiosity_at(const Snapshot &snapshot, const Vec3 &x, const Vec3 &normal, double reach) {
     struct {
@@ -29,7 +20,7 @@ std::optional<Rgb> radiosity_at(const Snapshot &snapshot, const Vec3 &x, const V
         const double height = from_origin.dot(surface.normal);
         if (!(surface.normal.dot(normal) > 0.9) || !(std::abs(height) <= reach))
             continue;
-        const Vec2 foot(from_origin.dot(surface.u), from_origin.dot(surface.v));
+        const Vec2 foot = to_plane(surface, x);
         const Vec2 nearest = nearest_point(patch.corners, foot);
         const double distance = std::hypot((nearest - foot).norm(), height);
         if (distance > reach)

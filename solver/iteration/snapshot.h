@@ -5,6 +5,7 @@
 #include "core/counters.h"
 #include "core/options.h"
 #include "core/vec.h"
+#include "geometry/bilinear_quad.h"
 #include "hierarchy/forest.h"
 
 #include <array>
@@ -47,6 +48,10 @@ struct SnapshotPatch {
     bool fresh = false;                 ///< made in this iteration
     bool at_limit = false;              ///< failed the oracle at the depth limit
     SnapshotPlace place{};
+    /// What the oracle's test points say that the fits of the patch miss, as the root of the integral over it of the
+    /// square, the three channels together [W/m2 times length]; misses of different sources are taken for independent, and
+    /// of links to elements above it has its area's share. Negative: nothing was tested.
+    double estimate = -1;
 };
 
 struct SnapshotPiece {
@@ -101,9 +106,22 @@ struct Snapshot {
     std::string sentence;               ///< what the last phase did, in words
 };
 
+/// Whether the polynomial's quad is a box about the patch (planar basis), not the patch itself.
+bool is_box(const SnapshotPatch &patch);
+/// Quads and triangles that tile the patch.
+std::vector<BilinearQuad> tiles(const SnapshotPatch &patch);
+Vec2 to_plane(const SnapshotSurface &surface, const Vec3 &point);
+/// Whether a point of its plane is inside its outline, by the even-odd rule.
+bool holds(const SnapshotSurface &surface, const Vec2 &p);
+/// Whether a point of its plane lies under one of its covers.
+bool is_covered(const SnapshotSurface &surface, const Vec2 &p);
+
 /// Radiosity of a patch at its parameters u, v in [0,1].
 Rgb radiosity_at(const Snapshot &snapshot, const SnapshotPatch &patch, double u, double v);
 /// Radiosity of a patch at a point of its surface's plane (inside the patch).
 Rgb radiosity(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p);
+/// The polynomial's own derivative there in a direction of the plane [W/m2 per length]; 0 where the map from the
+/// parameters has no inverse (the apex of a triangle).
+Rgb radiosity_slope(const Snapshot &snapshot, const SnapshotPatch &patch, const Vec2 &p, const Vec2 &direction);
 
 } // namespace penumbra

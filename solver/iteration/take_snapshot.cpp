@@ -3,6 +3,7 @@
 #include "iteration/critical_surface.h"
 
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 namespace penumbra {
@@ -65,6 +66,23 @@ std::vector<SnapshotPlace> add_splits(const Forest &forest, double size, Snapsho
     return places;
 }
 
+/// By element: the mean over its area of the square that the fits of its own links and of those of the elements above
+/// it miss, reflected, the channels together; negative where nothing was tested.
+std::vector<double> missed_squares(const Scene &scene, const State &state) {
+    std::vector<double> missed(state.forest.elements.size(), -1);
+    for (std::size_t i = 0; i < missed.size(); ++i) { // parents stand before their children
+        const Element &e = state.forest.elements[i];
+        if (e.parent.valid())
+            missed[i] = missed[e.parent.at()];
+        for (const auto &interaction : state.interactions[i])
+            if (!interaction->weak)
+                missed[i] = std::max(missed[i], 0.0) + (scene.reflectance(e.surface).square() *
+                                                        interaction->mean_square_misfit(state.forest, state.radiosity))
+                                                           .sum();
+    }
+    return missed;
+}
+
 int link_kind(PairKind kind) { return kind == PairKind::clear ? 0 : kind == PairKind::near ? 1 : 2; }
 
 } // namespace
@@ -86,6 +104,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
         const Element &element = state.forest[e];
         return scene.own.to_own(scene.surface(element.surface).frame.to_space(element.basis.centre()));
     };
+    const std::vector<double> missed = missed_squares(scene, state);
     const std::vector<SnapshotPlace> places = add_splits(state.forest, scene.own.size, *out);
     for (std::size_t i = 0; i < state.forest.elements.size(); ++i) {
         const Element &e = state.forest.elements[i];
@@ -103,6 +122,8 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
         patch.fresh = e.born > 0 && e.born == state.counters.iteration;
         patch.at_limit = e.at_limit;
         patch.place = places[i];
+        if (missed[i] >= 0)
+            patch.estimate = scene.own.size * std::sqrt(missed[i] * e.basis.area());
         const Eigen::MatrixX3d products =
             e.basis.product_coefficients(state.radiosity.middleRows(e.first, e.basis.n_functions()));
         for (const auto &row : products.rowwise())
