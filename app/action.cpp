@@ -2,10 +2,14 @@
 
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
+#include "profile_verbs.h"
+#include "render/error_scale.h"
 #include "shelf_verbs.h"
+#include "truth_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace penumbra {
 
@@ -56,6 +60,27 @@ bool uses_shading(const State &s) {
     return s.look.shading == shading;
 }
 
+template <ErrorKind kind>
+void use_error(State &s) {
+    show_errors(s, kind);
+}
+template <ErrorKind kind>
+bool uses_error(const State &s) {
+    return s.look.shading == Shading::error && s.look.error == kind;
+}
+bool shows_errors(const State &s) { return s.look.shading == Shading::error; }
+
+void flip_errors(State &s) {
+    if (shows_errors(s))
+        s.look.shading = Shading::polynomial;
+    else
+        show_errors(s, s.look.error);
+}
+void next_error(State &s) {
+    constexpr int n = static_cast<int>(std::size(all_error_kinds));
+    show_errors(s, shows_errors(s) ? static_cast<ErrorKind>((static_cast<int>(s.look.error) + 1) % n) : s.look.error);
+}
+
 void flip_meshing(State &s) {
     const Strategy now = s.active_strategy();
     set_strategy(s, strategy_of(!cuts_along_curves(now), is_constant(now)));
@@ -77,6 +102,10 @@ void cancel(State &s) {
         s.pinned_curve.reset();
     } else if (s.keyhole.open) {
         s.keyhole.open = false;
+    } else if (s.truth.busy) {
+        stop_judging(s);
+    } else if (s.profile.open) {
+        toggle_profile(s);
     } else if (s.shelf.checking) {
         stop_check(s);
     } else if (s.inspector != Inspector::none && !can_cancel(s)) {
@@ -184,6 +213,9 @@ const std::vector<Action> &list() {
         {"view.keyhole", Menu::view, "Keyhole",
          "Shows what a point sees of each light; drag the point over a surface.", {"K"}, toggle_keyhole, has_scene,
          [](const State &s) { return s.keyhole.open; }},
+        {"view.profile", Menu::view, "Profile along a line",
+         "Plots the radiosity along a line, true and solved, and its slope; drag the line over a surface.", {"S"},
+         toggle_profile, has_scene, [](const State &s) { return s.profile.open; }},
         {"view.filters", Menu::view, "Filter microscope",
          "Shows the push and pull filters of the split that made a patch; click one.", {"T"},
          use_inspector<Inspector::filters>, has_scene, uses_inspector<Inspector::filters>},
@@ -227,6 +259,21 @@ const std::vector<Action> &list() {
          uses_shading<Shading::flat>},
         {"layers.linear", Menu::layers, "Linear", "Gouraud's interpolation of averaged corner values.", {"I"},
          use_shading<Shading::linear>, nullptr, uses_shading<Shading::linear>},
+        {"layers.error", Menu::layers, "Error", "How wrong the solution is, in place of the light.", {"X"}, flip_errors,
+         has_scene, shows_errors},
+        {"error.next", Menu::layers, "Next kind of error", "Signed, relative, of the patch, against the estimate.",
+         {"Shift+X"}, next_error, has_scene},
+        {"error.signed", Menu::layers, "Signed error", error_sentence(ErrorKind::signed_error), {},
+         use_error<ErrorKind::signed_error>, has_scene, uses_error<ErrorKind::signed_error>},
+        {"error.relative", Menu::layers, "Relative error", error_sentence(ErrorKind::relative), {},
+         use_error<ErrorKind::relative>, has_scene, uses_error<ErrorKind::relative>},
+        {"error.patch", Menu::layers, "Error of each patch", error_sentence(ErrorKind::patch), {},
+         use_error<ErrorKind::patch>, has_scene, uses_error<ErrorKind::patch>},
+        {"error.estimate", Menu::layers, "Error against the estimate", error_sentence(ErrorKind::estimate), {},
+         use_error<ErrorKind::estimate>, has_scene, uses_error<ErrorKind::estimate>},
+        {"error.lock", Menu::layers, "Lock the error's range",
+         "Keeps the scale of errors as it is through steps and strategies, so that they can be compared.", {"Shift+L"},
+         toggle_range_lock, shows_errors, [](const State &s) { return s.truth.range_locked; }},
         {"layers.false_colour", Menu::layers, "False colour", "Radiosity on the cividis scale, with its legend.", {"V"},
          [](State &s) { s.look.false_colour = !s.look.false_colour; }, nullptr,
          [](const State &s) { return s.look.false_colour; }},

@@ -6,6 +6,7 @@
 #include "measure/keyhole.h"
 #include "plot/cost_measure.h"
 #include "price_book.h"
+#include "plot/profile_sheet.h"
 #include "render/camera.h"
 #include "render/event_words.h"
 #include "render/look.h"
@@ -22,9 +23,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace penumbra {
+
+struct ErrorMap; // iteration/error_map.h
 
 using Clock = std::chrono::steady_clock;
 
@@ -69,13 +73,42 @@ struct KeyholeMode {
     EventWords news;                           ///< what that has changed
 };
 
-/// What stands at the right of the panes.
-enum class Inspector { none, filters, hard_cases, cost };
-
 struct SurfacePoint {
     int surface = 0;
     Vec3 point; ///< scene's own frame
 };
+
+/// How wrong the solutions are, as far as it is known; see truth_verbs.h.
+struct TruthMode {
+    std::map<std::uint64_t, std::shared_ptr<const ErrorMap>> maps; ///< by version of the snapshot, of the present run
+    double error = 0; ///< of the truth itself, relative; 0: exact, or not known yet
+    bool busy = false;
+    std::string doing;                 ///< what is being found out, in words
+    bool halted = false;               ///< nothing is found out until something is asked for again
+    bool range_locked = false;         ///< look.error_range stays as it is
+    std::vector<std::uint64_t> ranged; ///< kind and versions that look.error_range was made for
+};
+
+/// What of the profile's line the mouse holds.
+enum class ProfileGrip { none, from, to };
+
+/// The radiosity along a line; see profile_verbs.h.
+struct ProfileMode {
+    bool open = false;
+    ProfileGrip dragging = ProfileGrip::none;
+    std::optional<SurfacePoint> pressed; ///< where a new line begins, until the mouse has moved
+    std::optional<ProfileLine> line;
+    int asked = 0;                       ///< number of the line
+    std::vector<ProfilePoint> exact;     ///< the truth along it; empty: not known yet
+    ProfileData data;                    ///< that is plotted
+    bool stale = false;                  ///< it is not the line's any more
+    std::vector<std::uint64_t> versions; ///< of the snapshots that it is from
+    std::optional<double> cursor;        ///< place on the line that is pointed at
+    bool cursor_in_plot = false;         ///< by the mouse in the plot, not in a pane
+};
+
+/// What stands at the right of the panes.
+enum class Inspector { none, filters, hard_cases, cost };
 
 /// Looking at the filters of one split; see microscope_verbs.h.
 struct Microscope {
@@ -126,6 +159,9 @@ struct AppState {
     std::optional<int> hovered_curve; ///< of the active pane's curves; those of emitters come first and are the same in all panes
     std::optional<int> pinned_curve;  ///< by a click: stays in the limelight
     KeyholeMode keyhole;
+    TruthMode truth;
+    ProfileMode profile;
+    std::optional<std::pair<Vec3, Vec3>> profile_to_open; ///< came with a state; as the keyhole's point
     Inspector inspector = Inspector::none;
     Microscope microscope;
     CostMeasure cost_measure = CostMeasure::seconds; ///< of the plot of costs and its bars

@@ -23,9 +23,9 @@ std::size_t corners_of(const Keyhole &keyhole, int source) {
 
 std::string corners_words(std::size_t n) { return n == 1 ? "1 corner" : std::to_string(n) + " corners"; }
 
-void tell_crossing(AppState &state, const Snapshot &snapshot, const std::vector<int> &crossed, const Keyhole &before,
-                   const Keyhole &after) {
-    const int last = crossed.back();
+void tell_crossing(AppState &state, const Snapshot &snapshot, const std::vector<CurveCrossing> &crossed,
+                   const Keyhole &before, const Keyhole &after) {
+    const int last = crossed.back().curve;
     const SnapshotCurve &curve = (*snapshot.curves)[static_cast<std::size_t>(last)];
     EventWords news = crossing_words(snapshot, curve, after.point);
     const std::size_t was = corners_of(before, curve.source), is = corners_of(after, curve.source);
@@ -65,6 +65,7 @@ void move_keyhole(AppState &state, int surface, const Vec3 &point) {
 void toggle_keyhole(AppState &state) {
     state.keyhole.open = !state.keyhole.open;
     state.keyhole.crossed = -1;
+    state.profile.open = state.profile.open && !state.keyhole.open; // both are dragged
     const auto snapshot = state.snapshot(state.active_strategy());
     if (!state.keyhole.open || !snapshot)
         return;

@@ -10,20 +10,18 @@ namespace penumbra {
 
 namespace {
 
-Vec2 in_plane(const SnapshotSurface &s, const Vec3 &p) { return {(p - s.origin).dot(s.u), (p - s.origin).dot(s.v)}; }
-
 /// The splits above the patch at the point, the innermost first.
 std::vector<int> splits_at(const Snapshot &snapshot, const SurfacePoint &at) {
     if (at.surface >= static_cast<int>(snapshot.surfaces.size()))
         return {};
     const int patch =
-        patch_at(snapshot, at.surface, in_plane(snapshot.surfaces[static_cast<std::size_t>(at.surface)], at.point));
+        patch_at(snapshot, at.surface, to_plane(snapshot.surfaces[static_cast<std::size_t>(at.surface)], at.point));
     return patch < 0 ? std::vector<int>() : splits_above(snapshot, patch);
 }
 
 /// The piece of the split that holds the point: the patch itself or what it is a part of.
 int piece_at(const Snapshot &snapshot, const SurfacePoint &at, int split) {
-    const Vec2 p = in_plane(snapshot.surfaces[static_cast<std::size_t>(at.surface)], at.point);
+    const Vec2 p = to_plane(snapshot.surfaces[static_cast<std::size_t>(at.surface)], at.point);
     for (SnapshotPlace place = snapshot.patches[static_cast<std::size_t>(patch_at(snapshot, at.surface, p))].place;
          place.split >= 0; place = snapshot.splits[static_cast<std::size_t>(place.split)].place)
         if (place.split == split)

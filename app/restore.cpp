@@ -1,8 +1,10 @@
 #include "restore.h"
 
 #include "keyhole_verbs.h"
+#include "profile_verbs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace penumbra {
 
@@ -20,6 +22,19 @@ void restore_panes(AppState &state, const SavedState &saved) {
     const std::size_t n = std::min(saved.strategies.size(), panes.strategies.size());
     std::copy_n(saved.strategies.begin(), n, panes.strategies.begin());
     panes.active = std::min(saved.active, static_cast<int>(n) - 1);
+}
+
+void open_profile(AppState &state, const Snapshot &snapshot) {
+    const auto ends = std::exchange(state.profile_to_open, std::nullopt);
+    if (!ends)
+        return;
+    const auto line = line_over(snapshot, ends->first, ends->second, 1e-3 * state.scene->own.size);
+    if (!line) {
+        state.message = {"The profile stays closed: its line lies on no surface that reflects.", false};
+        return;
+    }
+    state.profile.open = true;
+    set_profile(state, line->surface, line->from, line->to);
 }
 
 } // namespace
@@ -42,7 +57,9 @@ void restore(AppState &state, const SavedState &saved) {
     state.legend_hidden = !saved.legend;
     if (saved.look.spotlight.curve >= 0)
         state.pinned_curve = saved.look.spotlight.curve;
+    state.truth.range_locked = saved.error_range_locked && saved.look.error_range;
     state.keyhole_to_open = saved.keyhole;
+    state.profile_to_open = saved.profile;
 }
 
 void find_what_was_restored(AppState &state, Strategy strategy) {
@@ -53,6 +70,7 @@ void find_what_was_restored(AppState &state, Strategy strategy) {
     const bool there = state.timeline(strategy).reached(state.position);
     if (state.pinned_curve && there && *state.pinned_curve >= static_cast<int>(snapshot->curves->size()))
         state.pinned_curve.reset();
+    open_profile(state, *snapshot);
     if (!state.keyhole_to_open)
         return;
     const Vec3 point = *std::exchange(state.keyhole_to_open, std::nullopt);

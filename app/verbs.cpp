@@ -58,6 +58,8 @@ void start_anew(AppState &state) {
     state.under_cursor.reset();
     state.chosen_range.reset();
     state.halted = false;
+    state.truth.maps.clear();
+    state.truth.halted = false;
 }
 
 void apply(AppState &state, const Opened &opened) {
@@ -70,6 +72,11 @@ void apply(AppState &state, const Opened &opened) {
     state.keyhole = {};
     state.microscope = {};
     state.keyhole_to_open.reset();
+    const int lines = state.profile.asked; // their numbers are not used twice
+    state.profile = {};
+    state.profile.asked = lines;
+    state.profile_to_open.reset();
+    state.truth = {};
     state.opening.clear();
     state.playing = false;
     state.position = 0;

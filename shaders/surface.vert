@@ -1,5 +1,7 @@
 uniform samplerBuffer vertices; // 2 texels: place in the plane | local coordinates, patch | value between corners
 
+uniform bool lamps_alone; // what reflects is shown by another pass
+
 flat out int patch_index;
 flat out int surface_role;
 out vec2 local;
@@ -13,7 +15,7 @@ void main() {
     local = place.zw;
     int surface = int(patch_texel(patch_index, 0).w);
     surface_role = role(surface);
-    if (surface_role == blocker || !faces_eye(surface)) {
+    if (surface_role == blocker || !faces_eye(surface) || (lamps_alone && reflects(surface))) {
         gl_Position = nowhere;
         return;
     }

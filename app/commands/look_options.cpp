@@ -78,16 +78,31 @@ void set_flags(const char *option, const std::string &text, const std::array<std
     }
 }
 
-void set_keyhole(LookOptions &options, const std::string &text) {
+/// n finite numbers with space between, or nothing.
+template <int n>
+std::optional<Eigen::Matrix<double, n, 1>> numbers(const std::string &text) {
     const auto words = words_of(text);
-    Vec3 point;
-    bool good = words.size() == 3;
-    for (std::size_t i = 0; good && i < 3; ++i)
-        good = number_from(words[i], point[static_cast<Eigen::Index>(i)]) &&
-               std::isfinite(point[static_cast<Eigen::Index>(i)]);
-    if (!good)
+    Eigen::Matrix<double, n, 1> all;
+    if (words.size() != n)
+        return std::nullopt;
+    for (std::size_t i = 0; i < n; ++i)
+        if (!number_from(words[i], all[static_cast<Eigen::Index>(i)]) ||
+            !std::isfinite(all[static_cast<Eigen::Index>(i)]))
+            return std::nullopt;
+    return all;
+}
+
+void set_keyhole(LookOptions &options, const std::string &text) {
+    options.keyhole = numbers<3>(text);
+    if (!options.keyhole)
         refuse("--keyhole", text, "\"x y z\", a point on a surface");
-    options.keyhole = point;
+}
+
+void set_profile(LookOptions &options, const std::string &text) {
+    const auto ends = numbers<6>(text);
+    if (!ends)
+        refuse("--profile", text, "\"x y z x y z\", two points of one surface");
+    options.profile = std::pair(Vec3(ends->head<3>()), Vec3(ends->tail<3>()));
 }
 
 void add_curve_options(CLI::App &parser, LookOptions &options) {
@@ -112,15 +127,33 @@ void add_curve_options(CLI::App &parser, LookOptions &options) {
     parser.add_option_function<std::string>(
         "--keyhole", [&](const std::string &text) { set_keyhole(options, text); },
         "\"x y z\": shows beside the picture what is seen of each emitter from this point of a surface");
+    parser.add_option_function<std::string>(
+        "--profile", [&](const std::string &text) { set_profile(options, text); },
+        "\"x y z x y z\": draws the line between two points of a surface, and the radiosity along it, true and solved, "
+        "into "
+        "OUT-profile.png, .svg and .csv beside the picture");
 }
 
-void set_range(LookOptions &options, const std::string &text) {
+std::optional<Range> range_from(const std::string &text) {
     const std::size_t colon = text.find(':');
     const auto low = number<double>(std::string_view(text).substr(0, colon));
     const auto high = colon == text.npos ? std::nullopt : number<double>(std::string_view(text).substr(colon + 1));
     if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high) || !(*low < *high))
+        return std::nullopt;
+    return Range{*low, *high};
+}
+
+void set_range(LookOptions &options, const std::string &text) {
+    options.look.range = range_from(text);
+    if (!options.look.range)
         refuse("--range", text, "LOW:HIGH in W/m\u00b2 with LOW below HIGH, as 0:12.5");
-    options.look.range = Range{*low, *high};
+}
+
+Range error_range_from(const char *option, const std::string &text) {
+    const auto range = range_from(text);
+    if (!range)
+        refuse(option, text, "LOW:HIGH with LOW below HIGH, as -0.5:0.5 (signed) or 1e-4:1");
+    return *range;
 }
 
 } // namespace
@@ -134,15 +167,26 @@ void add_look_options(CLI::App &parser, LookOptions &options) {
     add_curve_options(parser, options);
     parser
         .add_option_function<std::string>(
-            "--shading",
+            "--shading", [&](const std::string &text) { options.look.shading = *shading_from_name(text); },
+            "polynomial (default: the solution itself), flat, linear, or error: how wrong it is")
+        ->check(CLI::IsMember({"polynomial", "flat", "linear", "error"}));
+    parser
+        .add_option_function<std::string>(
+            "--error",
             [&](const std::string &text) {
-                if (text == "error")
-                    throw CLI::ValidationError("--shading", "error is still to come; use polynomial, flat or linear");
-                options.look.shading = *shading_from_name(text);
+                const ErrorKind kind = *error_kind_from_name(text);
+                if (kind != options.look.error)
+                    options.look.error_range.reset(); // a state's, of another kind
+                options.look.error = kind;
             },
-            "polynomial (default: the solution itself), flat or linear; error is still to come")
-        ->check(CLI::IsMember({"polynomial", "flat", "linear", "error"}))
-        ->trigger_on_parse();
+            "What --shading error shows: signed (default: solution minus truth), relative (its size over the largest "
+            "reflected radiosity), patch (the L2 error of each patch) or estimate (that over what the oracle saw)")
+        ->check(CLI::IsMember({"signed", "relative", "patch", "estimate"}));
+    parser.add_option_function<std::string>(
+        "--error-range",
+        [&](const std::string &text) { options.look.error_range = error_range_from("--error-range", text); },
+        "LOW:HIGH of the error's scale, in W/m\u00b2 (signed) or as a share or ratio above 0; from the values unless "
+        "given");
     parser.add_option_function<std::string>(
         "--view",
         [&](const std::string &text) {

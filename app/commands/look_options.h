@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace penumbra {
 
@@ -16,11 +17,13 @@ struct LookOptions {
     Look look;
     std::optional<View> view; ///< none: the scene's own
     std::string curve_source; ///< name or number of a surface; empty: all
+    std::optional<std::pair<Vec3, Vec3>> profile; ///< ends of a line; none: no profile
     std::optional<Vec3> keyhole; ///< to look at the emitters from; none: nowhere
 };
 
-/// --size, --layers, --curve-kinds, --curve-orders, --curve-source, --curve, --keyhole, --shading, --view, --exposure,
-/// --range, --false-colour, --background.
+/// --size, --layers, --curve-kinds, --curve-orders, --curve-source, --curve, --keyhole, --profile, --shading, --error,
+/// --error-range, --view,
+/// --exposure, --range, --false-colour, --background.
 void add_look_options(CLI::App &parser, LookOptions &options);
 
 } // namespace penumbra

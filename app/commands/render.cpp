@@ -3,6 +3,7 @@
 #include "commands/interrupt.h"
 #include "commands/iterate.h"
 #include "commands/look_options.h"
+#include "commands/profile_along.h"
 #include "commands/say_again.h"
 #include "commands/solving_options.h"
 #include "commands/terminal.h"
@@ -11,8 +12,10 @@
 #include "files/open_file.h"
 #include "files/picture_state.h"
 #include "files/write_state.h"
+#include "iteration/error_map.h"
 #include "measure/keyhole.h"
 #include "render/picture.h"
+#include "study/find_reference.h"
 #include "timeline.h"
 #include "window/offscreen.h"
 
@@ -43,7 +46,7 @@ struct RenderOptions {
     std::optional<Camera> camera; ///< of a saved state; --view goes before
     LookOptions look;
     /// Where they come from, for messages.
-    std::string curve_field = "--curve", keyhole_field = "--keyhole";
+    std::string curve_field = "--curve", keyhole_field = "--keyhole", profile_field = "--profile";
 };
 
 /// What the state says, and over it what was said beside it.
@@ -63,11 +66,14 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
     options.look.height = picture.height;
     options.look.look = state.look;
     options.look.keyhole = state.keyhole;
+    options.look.profile = state.profile;
     say_again(parser);
     if (parser.count("--curve") == 0)
         options.curve_field = solving.scene + ": curves.shown";
     if (parser.count("--keyhole") == 0)
         options.keyhole_field = solving.scene + ": keyhole";
+    if (parser.count("--profile") == 0)
+        options.profile_field = solving.scene + ": profile";
     if (parser.count("--strategy") > 0 && parser.count("--panes") + parser.count("--layout") == 0)
         options.panes.clear();
     if (parser.count("--panes") > 0)
@@ -147,6 +153,18 @@ std::string price(const Snapshot &one, const Snapshot &other, double tracing) {
                        one.curves->size());
 }
 
+/// What error pictures and profiles are held against; with it goes how wrong each pane is.
+Truth find_truth(const std::shared_ptr<const Scene> &scene, const Cancel &cancel, const CommonOptions &common) {
+    std::optional<Progress> progress;
+    if (!has_one_bounce(*scene)) {
+        if (!common.quiet)
+            say_notes({"solving a reference"});
+        progress.emplace(Options().to_tolerance(picture_tolerance), common.quiet, common.verbose);
+    }
+    return truth_of(scene,
+                    find_reference(scene, picture_tolerance, &cancel, [&](const Counters &c) { progress->show(c); }));
+}
+
 /// Steps to the position asked for, whose last iteration may stop after a phase.
 void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Progress &progress) {
     const int most = solver.options().max_iterations;
@@ -159,6 +177,39 @@ void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Prog
     } catch (const Cancelled &) {
         solver.restore(complete);
     }
+}
+
+/// Gives every pane its map of errors, where they are shown, and makes the profile along the line, if there is one.
+std::optional<ProfileData> judge(const std::shared_ptr<const Scene> &scene, PictureSpec &spec, const Cancel &cancel,
+                                 const CommonOptions &common) {
+    const Truth truth = find_truth(scene, cancel, common);
+    if (spec.look.shading == Shading::error) {
+        ErrorMapper mapper(truth);
+        for (PicturePane &pane : spec.panes)
+            pane.errors = mapper.map(*pane.snapshot, &cancel);
+    }
+    if (!spec.profile)
+        return std::nullopt;
+    std::vector<std::shared_ptr<const Snapshot>> solutions;
+    for (const PicturePane &pane : spec.panes)
+        solutions.push_back(pane.snapshot);
+    return profile_along(*spec.profile, solutions, truth, &cancel);
+}
+
+/// An error's scale has its middle at no error, and powers only of what is above 0.
+void check_error_range(const Look &look) {
+    if (!look.error_range)
+        return;
+    const Range &range = *look.error_range;
+    const bool even = look.error == ErrorKind::signed_error ? std::abs(range.low + range.high) <= 1e-9 * range.high
+                      : look.error == ErrorKind::estimate   ? std::abs(range.low * range.high - 1) <= 1e-9
+                                                            : range.low > 0;
+    if (!even)
+        throw CLI::ValidationError(
+            "--error-range",
+            look.error == ErrorKind::signed_error ? "goes as far below 0 as above it for signed errors, as -0.5:0.5"
+            : look.error == ErrorKind::estimate   ? "goes from 1/X to X for errors against the estimate, as 0.01:100"
+                                                  : "is above 0 for this kind of error, as 1e-4:1");
 }
 
 int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options, const CommonOptions &common) {
@@ -208,9 +259,23 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
         spec.caption = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
     if (options.look.keyhole)
         spec.keyhole = look_from(scene, *options.look.keyhole, options.keyhole_field);
+    std::optional<ProfileData> profile;
+    try {
+        if (options.look.profile)
+            spec.profile = find_line(first, options.look.profile->first, options.look.profile->second, scene->own.size,
+                                     options.profile_field);
+        if (spec.look.shading == Shading::error || spec.profile)
+            profile = judge(scene, spec, interrupt.cancel(), common);
+    } catch (const Cancelled &) {
+        complain(interrupt.sentence() +
+                 " before the truth was known that errors are measured against; nothing was written");
+        return interrupt.exit_status();
+    }
     spec.camera = camera_of(options, *scene, first, pane_aspect(spec));
     const SavedState saved = picture_state(spec, *scene, std::filesystem::path(common.output).parent_path());
     write_png(common.output, draw_picture(spec), state_text(saved));
+    if (profile)
+        write_profile(common.output, *spec.profile, *profile, spec.look.theme);
 
     if (const int status = interrupt.exit_status(); status != done) {
         complain(fmt::format("{}; the picture shows the last complete solution, of iteration {}", interrupt.sentence(),
@@ -259,6 +324,7 @@ Command add_render(CLI::App &root) {
     add_solving_options(*parser, *solving);
     add_common_options(*parser, *common, "The picture, a PNG");
     parser->get_option("--output")->required();
+    parser->final_callback([options] { check_error_range(options->look.look); });
     return {parser, [=] { return run(*parser, *solving, *options, *common); }};
 }
 

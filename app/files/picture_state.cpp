@@ -28,9 +28,12 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
     saved.camera = spec.camera;
     saved.look = spec.look;
     saved.range_chosen = spec.look.range.has_value();
+    saved.error_range_locked = spec.look.error_range.has_value();
     saved.legend = spec.legend;
     if (spec.keyhole)
         saved.keyhole = spec.keyhole->point;
+    if (spec.profile)
+        saved.profile = std::pair(spec.profile->from, spec.profile->to);
     saved.picture = saved_picture(spec);
     return saved;
 }

@@ -165,6 +165,18 @@ Range read_range(const JsonValue &json) {
     return range;
 }
 
+void read_error(const JsonValue &json, SavedState &state) {
+    Look &look = state.look;
+    if (const auto kind = json.known("kind"))
+        look.error = named(*kind, error_kind_from_name, "signed, relative, patch or estimate");
+    if (const auto range = json.known("range")) {
+        look.error_range = read_range(*range);
+        if (look.error != ErrorKind::signed_error && !(look.error_range->low > 0))
+            range->fail("has a low end that is not above 0, as the kind asks for");
+    }
+    read_flag(json, "locked", state.error_range_locked);
+}
+
 void read_look(const JsonValue &root, SavedState &state) {
     Look &look = state.look;
     if (const auto layers = root.known("layers")) {
@@ -177,7 +189,9 @@ void read_look(const JsonValue &root, SavedState &state) {
     if (const auto curves = root.known("curves"))
         read_curves(*curves, look);
     if (const auto shading = root.known("shading"))
-        look.shading = named(*shading, shading_from_name, "polynomial, flat or linear");
+        look.shading = named(*shading, shading_from_name, "polynomial, flat, linear or error");
+    if (const auto error = root.known("error"))
+        read_error(*error, state);
     read_flag(root, "false_colour", look.false_colour);
     if (const auto exposure = root.known("exposure"))
         look.exposure_ev = number_in(*exposure, -40, 40);
@@ -258,6 +272,11 @@ SavedState read_state(const std::string &file, std::string_view text) {
     read_look(root, state);
     if (const auto keyhole = root.known("keyhole"))
         state.keyhole = triple<Vec3>(*keyhole);
+    if (const auto profile = root.known("profile")) {
+        if (const std::size_t n = profile->size(); n != 2)
+            profile->fail(fmt::format("has {} points; give two", n));
+        state.profile = std::pair(triple<Vec3>(profile->at(0)), triple<Vec3>(profile->at(1)));
+    }
     if (const auto picture = root.known("picture"))
         state.picture = read_picture(*picture);
     return state;

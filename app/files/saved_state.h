@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace penumbra {
@@ -36,8 +37,10 @@ struct SavedState {
     std::optional<Camera> camera = {};                                    ///< none: the scene's first view
     Look look = {};
     bool range_chosen = false; ///< look.range was asked for; else it is what the values shown came to
+    bool error_range_locked = false; ///< look.error_range stays whatever is shown; else it follows the values
     bool legend = true;
     std::optional<Vec3> keyhole = {};         ///< scene's own frame
+    std::optional<std::pair<Vec3, Vec3>> profile = {}; ///< ends of its line, scene's own frame
     std::optional<SavedPicture> picture = {}; ///< none: no picture of the panes
     std::vector<std::string> notes = {};      ///< what was to be said while reading, a line each; not written
 };

@@ -1,6 +1,7 @@
 #include "files/state_text.h"
 
 #include "files/write_state.h"
+#include "iteration/error_map.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -58,6 +59,8 @@ Json pane(const AppState &s, Strategy strategy) {
         j["error_bound"] = known(snapshot->counters.error_bound);
         j["version"] = snapshot->version;
         j["computed"] = s.timeline(strategy).last();
+        const auto map = s.truth.maps.find(snapshot->version);
+        j["error"] = map != s.truth.maps.end() ? Json(map->second->error()) : Json();
     }
     return j;
 }
@@ -72,6 +75,21 @@ Json keyhole(const KeyholeMode &mode) {
     j["emitters"] = Json::array();
     for (const KeyholeEmitter &e : mode.seen->emitters)
         j["emitters"].push_back({{"source", e.whole.surface}, {"share", e.share}, {"corners", e.corners.size()}});
+    return j;
+}
+
+Json profile(const ProfileMode &mode) {
+    Json j{{"open", mode.open}, {"dragging", mode.dragging != ProfileGrip::none}};
+    if (!mode.open || !mode.line)
+        return j;
+    j["surface"] = mode.line->surface;
+    j["length"] = mode.line->length();
+    j["exact_points"] = mode.exact.size();
+    j["crossings"] = mode.data.crossings.size();
+    j["pieces"] = Json::array();
+    for (const ProfileCurve &c : mode.data.curves)
+        j["pieces"].push_back(c.pieces.size());
+    j["cursor"] = mode.cursor ? Json(*mode.cursor) : Json();
     return j;
 }
 
@@ -122,6 +140,9 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
     saved.legend = !s.legend_hidden;
     if (s.keyhole.open && s.keyhole.seen)
         saved.keyhole = s.keyhole.seen->point;
+    saved.error_range_locked = s.truth.range_locked;
+    if (s.profile.open && s.profile.line)
+        saved.profile = std::pair(s.profile.line->from, s.profile.line->to);
     return saved;
 }
 
@@ -134,7 +155,10 @@ std::string observed_state_text(const AppState &s) {
     for (const Strategy strategy : s.shown())
         j["panes"].push_back(pane(s, strategy));
     j["run"] = s.run;
-    j["busy"] = s.busy.has_value();
+    j["busy"] = s.busy.has_value() || s.truth.busy;
+    j["judging"] = {
+        {"busy", s.truth.busy}, {"doing", s.truth.doing}, {"halted", s.truth.halted}, {"truth_error", s.truth.error}};
+    j["profiling"] = profile(s.profile);
     j["playing"] = s.playing;
     j["opening"] = s.opening;
     j["message"] = s.message.text;

@@ -63,7 +63,11 @@ Json state_json(const SavedState &s) {
                    {"legend", s.legend}};
     j["curves"] = curves_json(look);
     j["keyhole"] = s.keyhole ? triple(*s.keyhole) : Json();
+    j["profile"] = s.profile ? Json::array({triple(s.profile->first), triple(s.profile->second)}) : Json();
     j["shading"] = name(look.shading);
+    j["error"] = {{"kind", name(look.error)},
+                  {"range", look.error_range ? Json::array({look.error_range->low, look.error_range->high}) : Json()},
+                  {"locked", s.error_range_locked}};
     j["false_colour"] = look.false_colour;
     j["exposure"] = look.exposure_ev;
     j["range"] = look.range ? Json::array({look.range->low, look.range->high}) : Json();

@@ -38,6 +38,11 @@ Arrangement arrange(const AppState &state, float width, float height, float top,
     }
     rest.width = std::max(1.f, rest.width);
     rest.height = std::max(1.f, rest.height);
+    if (state.profile.open && !state.panels_hidden) {
+        const float plot = std::min(std::round(24 * em), std::floor(0.55f * rest.height));
+        rest.height = std::max(1.f, rest.height - plot);
+        a.profile = {rest.x, rest.y + rest.height, rest.width, plot};
+    }
     a.panes = rest;
     WindowRect scene = rest;
     if (!state.legend_hidden) {

@@ -11,6 +11,7 @@ namespace penumbra {
 struct Arrangement {
     WindowRect tool_bar, side, inspector, transport, status; ///< empty when panels are hidden
     WindowRect panes;               ///< all of them, with the legend strip below
+    WindowRect profile;             ///< plot below the panes; empty unless it is open
     WindowRect legend;              ///< strip that explains line kinds; empty when hidden
     std::vector<WindowRect> pane;   ///< from the upper left, row by row
 };

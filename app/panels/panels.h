@@ -16,12 +16,14 @@ void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts)
 void draw_cost(AppState &state, const Fonts &fonts);              ///< in the inspector
 void draw_microscope(AppState &state);                            ///< in the inspector
 void draw_hard_cases(AppState &state);                            ///< in the inspector
+void draw_profile_panel(AppState &state, const WindowRect &rect, const Fonts &fonts); ///< where it is open
 void draw_transport(AppState &state, const WindowRect &rect);    ///< step, play, the course so far, cancel
 void draw_status_bar(AppState &state, const WindowRect &rect);
 /// Labels and legends over the panes, and the mouse in them.
 void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fonts);
 /// Over the panes; part of draw_panes.
 void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
+void draw_profile_line(const AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 void draw_hint(AppState &state, const WindowRect &panes);        ///< until the first step
 void draw_error(AppState &state, const WindowRect &panes);       ///< the message, when it is one
 void draw_open_dialog(AppState &state);

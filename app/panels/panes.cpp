@@ -4,11 +4,14 @@
 #include "panels/navigation.h"
 #include "panels/panels.h"
 #include "panels/split_sketch.h"
+#include "profile_verbs.h"
 #include "render/event_note.h"
 #include "render/pick_curve.h"
 #include "render/surface_role.h"
+#include "truth_verbs.h"
 #include "verbs.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -91,6 +94,76 @@ void drag_keyhole(AppState &state, const Snapshot *snapshot, double aspect, cons
     move_keyhole(state, found->surface, found->point);
 }
 
+/// Where the point stands in the pane.
+std::optional<ImVec2> on_screen(const AppState &state, const WindowRect &rect, const Vec3 &p) {
+    const auto at = place_in_frame(state.camera, static_cast<double>(rect.width / rect.height), {p.x(), p.y(), p.z()});
+    if (!at)
+        return std::nullopt;
+    return ImVec2(rect.x + rect.width * static_cast<float>(0.5 + 0.5 * at->x),
+                  rect.y + rect.height * static_cast<float>(0.5 - 0.5 * at->y));
+}
+
+/// With the profile open, a drag that begins at an end of its line moves that end, one that begins elsewhere on a
+/// surface that reflects draws the line anew.
+void drag_profile(AppState &state, const Snapshot *snapshot, const WindowRect &rect, const FramePoint &at) {
+    ProfileMode &mode = state.profile;
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        if (ImGui::IsItemDeactivated())
+            mode.dragging = ProfileGrip::none;
+        return;
+    }
+    if (!snapshot || !mode.open)
+        return;
+    const auto found = pick(*snapshot, state.camera, static_cast<double>(rect.width / rect.height), at.x, at.y);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemActivated())
+        mode.pressed.reset();
+    if (ImGui::IsItemActivated() && !ImGui::GetIO().KeyShift) {
+        const auto near = [&](const Vec3 &end) {
+            const auto p = on_screen(state, rect, end);
+            return p && std::hypot(p->x - mouse.x, p->y - mouse.y) < em(0.9f);
+        };
+        if (mode.line && near(mode.line->from))
+            mode.dragging = ProfileGrip::from;
+        else if (mode.line && near(mode.line->to))
+            mode.dragging = ProfileGrip::to;
+        else if (found &&
+                 role(snapshot->surfaces[static_cast<std::size_t>(found->surface)]) == SurfaceRole::reflector) {
+            mode.dragging = ProfileGrip::to;
+            mode.pressed = SurfacePoint{found->surface, found->point};
+            return;
+        }
+    }
+    if (mode.dragging == ProfileGrip::none || !found || !mouse_moved_since_press(ImGuiMouseButton_Left))
+        return;
+    if (mode.pressed && ImGui::GetIO().MouseDragMaxDistanceSqr[0] < em(0.4f) * em(0.4f))
+        return;
+    const int surface = mode.pressed ? mode.pressed->surface : mode.line->surface;
+    if (found->surface != surface)
+        return;
+    const Vec3 from = mode.pressed                         ? mode.pressed->point
+                      : mode.dragging == ProfileGrip::from ? mode.line->to
+                                                           : mode.line->from;
+    mode.pressed.reset(); // from now on it is an end that is dragged
+    if (mode.dragging == ProfileGrip::from)
+        set_profile(state, surface, found->point, from);
+    else
+        set_profile(state, surface, from, found->point);
+}
+
+/// The place on the line that the mouse is near in a pane is told of in the plot.
+void point_at_profile(AppState &state) {
+    ProfileMode &mode = state.profile;
+    if (!mode.open || !mode.line || mode.cursor_in_plot)
+        return;
+    if (!state.under_cursor || state.under_cursor->surface != mode.line->surface || ImGui::IsItemActive())
+        return;
+    const Vec3 way = mode.line->to - mode.line->from, off = state.under_cursor->point - mode.line->from;
+    const double part = off.dot(way) / way.squaredNorm();
+    if (part >= 0 && part <= 1 && (off - part * way).norm() < 0.03 * mode.line->length())
+        mode.cursor = part * mode.line->length();
+}
+
 void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const ImGuiIO &io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
@@ -99,9 +172,12 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const FramePoint at = frame_point(rect, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (ImGui::IsItemActivated())
         begin_drag(state, point_under(state, snapshot.get(), aspect, at), pane);
-    const bool held = state.keyhole.dragging; // also in the frame in which the point is let go
+    const bool held = state.keyhole.dragging ||
+                      state.profile.dragging != ProfileGrip::none; // also in the frame in which it is let go
     drag_keyhole(state, snapshot.get(), aspect, at);
-    if (ImGui::IsItemActive() && !state.keyhole.dragging && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    drag_profile(state, snapshot.get(), rect, at);
+    if (ImGui::IsItemActive() && !state.keyhole.dragging && state.profile.dragging == ProfileGrip::none &&
+        (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
         const auto dx = static_cast<double>(io.MouseDelta.x), dy = static_cast<double>(io.MouseDelta.y);
         const auto height = static_cast<double>(rect.height);
         const Drag drag = drag_of(io);
@@ -118,14 +194,20 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
         zoom_by(state, static_cast<double>(io.MouseWheel), point_under(state, snapshot.get(), aspect, at));
     if (snapshot)
         state.under_cursor = pick(*snapshot, state.camera, aspect, at.x, at.y);
+    point_at_profile(state);
     if (state.inspector == Inspector::filters && state.under_cursor && clicked() && !held)
         pick_split(state, {state.under_cursor->surface, state.under_cursor->point});
-    if (snapshot && snapshot->curves && !held && !state.keyhole.dragging)
+    if (snapshot && snapshot->curves && !held && !state.keyhole.dragging && state.profile.dragging == ProfileGrip::none)
         point_at_curves(state, *snapshot, rect, at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         state.pivot = point_under(state, snapshot.get(), aspect, at);
         state.message = {"Views now turn about the point that was clicked; R goes back.", false};
     }
+}
+
+/// Of error pictures; others tell the snapshot's own error.
+std::shared_ptr<const ErrorMap> shown_errors(const AppState &state, Strategy strategy) {
+    return state.look.shading == Shading::error ? errors_of(state, strategy) : nullptr;
 }
 
 /// Returns its height.
@@ -135,10 +217,15 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
     const std::string tag = std::string("(") + letter(strategy) + ")";
     float height = 0;
     if (const auto snapshot = state.snapshot(strategy))
-        height = draw_pane_label(list, fonts, low, high, pane_label(*snapshot, tag), state.look.theme);
+        height = draw_pane_label(list, fonts, low, high,
+                                 pane_label(*snapshot, tag, shown_errors(state, strategy).get()), state.look.theme);
     else if (state.scene)
         list.AddText({low.x + em(0.8f), low.y + em(0.6f)}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                      (tag + " finding the discontinuity curves…").c_str());
+    if (state.look.shading == Shading::error && state.snapshot(strategy) && !errors_of(state, strategy))
+        list.AddText(
+            {low.x + em(0.6f), low.y + height + em(0.3f)}, ImGui::GetColorU32(ImGuiCol_CheckMark),
+            (state.truth.halted ? std::string("the error was not measured") : state.truth.doing + "\u2026").c_str());
     if (state.layout != Layout::single && pane == state.panes().active && !state.panels_hidden)
         list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
     return height;
@@ -188,6 +275,8 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     state.under_cursor.reset();
     state.hovered_curve.reset();
+    if (!state.profile.cursor_in_plot)
+        state.profile.cursor.reset();
     ImDrawList &list = *ImGui::GetWindowDrawList();
     float below = 0; // one pane is wide enough for label and scale side by side
     for (int pane = 0; pane < static_cast<int>(arrangement.pane.size()); ++pane) {
@@ -208,6 +297,7 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
     for (std::size_t pane = 0; pane < arrangement.pane.size(); ++pane)
         if (shown[pane] == state.active_strategy())
             draw_split_outline(state, list, arrangement.pane[pane]);
+    draw_profile_line(state, list, arrangement, fonts);
     draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
     ImGui::End();

@@ -1,8 +1,11 @@
 #include "core/percent.h"
 #include "panels/accuracy_words.h"
+#include "iteration/error_map.h"
 #include "panels/controls.h"
 #include "panels/panels.h"
 #include "panels/words.h"
+#include "render/error_scale.h"
+#include "truth_verbs.h"
 #include "verbs.h"
 
 #include <string>
@@ -22,14 +25,32 @@ void draw_layers(AppState &state) {
     draw_curve_filter(state);
 }
 
+/// What of the error is shown.
+void draw_errors(AppState &state) {
+    const float half = (ImGui::GetContentRegionAvail().x - 1) / 2;
+    action_button(state, "error.signed", "signed", {half, 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "error.relative", "relative", {half, 0});
+    action_button(state, "error.patch", "of each patch", {half, 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "error.estimate", "vs. estimate", {half, 0});
+    action_check(state, "error.lock", "Lock the range");
+}
+
 void draw_shading(AppState &state) {
     heading("Shading");
     const float width = ImGui::GetContentRegionAvail().x - 2;
-    action_button(state, "layers.polynomial", "Polynomial", {0.43f * width, 0});
+    action_button(state, "layers.polynomial", "Polynomial", {0.37f * width - 1, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "layers.flat", "Flat", {0.25f * width, 0});
+    action_button(state, "layers.flat", "Flat", {0.17f * width, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "layers.linear", "Linear", {0.32f * width, 0});
+    action_button(state, "layers.linear", "Linear", {0.24f * width, 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "layers.error", "Error", {0.22f * width, 0});
+    if (state.look.shading == Shading::error) {
+        draw_errors(state);
+        return;
+    }
     action_check(state, "layers.false_colour");
     float ev = static_cast<float>(state.look.exposure_ev);
     field_label("exposure");
@@ -102,6 +123,14 @@ void draw_cursor(const AppState &state) {
     if (pick.patch >= 0)
         figure("patch", count_words(pick.patch));
     figure("radiosity", rgb_words(pick.radiosity) + " W/m²", "Red, green, blue; one number where they are equal.");
+    if (const auto errors = errors_of(state, state.active_strategy());
+        errors && pick.patch >= 0 && state.look.shading == Shading::error) {
+        const auto patch = static_cast<std::size_t>(pick.patch);
+        figure("its part of the error", number_words(100 * errors->share(patch)) + " %",
+               "L2 error of this patch, over the L2 norm of the reflected radiosity of the scene.");
+        if (const double ratio = patch_value(ErrorKind::estimate, *snapshot, *errors, patch); ratio > 0)
+            figure("true / estimated", number_words(ratio), "Its error over what the oracle's test points saw.");
+    }
     figure("reflectance", rgb_words(surface.reflectance), "Red, green, blue; one number where they are equal.");
 }
 

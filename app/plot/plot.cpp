@@ -29,38 +29,8 @@ struct Pen {
     PlotStroke stroke(const glm::vec4 &colour, float width, float dash = 0) const {
         return {colour, width * em, dash * em};
     }
-    PlotText text(TextAlign align, float opacity = 0.85f) const {
-        return {em, plot_ink(look.theme, opacity), align, false};
-    }
     PlotText label(const PlotCurve &curve) const { return {em, glm::vec4(glm::vec3(curve.colour), 1), TextAlign::centre, true}; }
 };
-
-int labels_in(float length, float each) { return std::max(2, static_cast<int>(length / each)); }
-
-void draw_axes(const Pen &pen, const Page &page) {
-    const PlotBox &box = page.box;
-    const float em = pen.em;
-    const auto grid = [&](const Tick &t) { return pen.stroke(plot_ink(pen.look.theme, t.major ? 0.16f : 0.06f), 0.06f); };
-    for (const Tick &t : ticks(page.plot.x, labels_in(box.width(), 4.5f * em))) {
-        const float x = page.x(t.value);
-        pen.canvas.line({x, box.low.y}, {x, box.high.y}, grid(t));
-        pen.canvas.text({x, box.high.y + 0.9f * em}, t.label, pen.text(TextAlign::centre));
-    }
-    for (const Tick &t : ticks(page.plot.y, labels_in(box.height(), 1.8f * em))) {
-        const float y = page.y(t.value);
-        pen.canvas.line({box.low.x, y}, {box.high.x, y}, grid(t));
-        if (page.plot.y_words)
-            pen.canvas.text({box.low.x - 0.5f * em, y}, t.label, pen.text(TextAlign::right));
-    }
-    const PlotStroke axis = pen.stroke(plot_ink(pen.look.theme, 0.7f), 0.08f);
-    pen.canvas.line({box.low.x, box.low.y}, {box.low.x, box.high.y}, axis);
-    pen.canvas.line({box.low.x, box.high.y}, {box.high.x, box.high.y}, axis);
-    PlotText title = pen.text(TextAlign::centre, 1);
-    pen.canvas.text({(box.low.x + box.high.x) / 2, box.high.y + 2.3f * em}, page.plot.x_title, title);
-    title.align = TextAlign::left;
-    if (page.plot.y_words)
-        pen.canvas.text({box.low.x - 4.2f * em, box.low.y - 1.1f * em}, page.plot.y_title, title);
-}
 
 void draw_curve(const Pen &pen, const Page &page, const PlotCurve &curve) {
     std::vector<glm::vec2> line; // a piece without length has no direction, which some back ends need
@@ -131,10 +101,6 @@ void draw_labels(const Pen &pen, const Page &page) {
 
 } // namespace
 
-glm::vec4 plot_ink(Theme theme, float opacity) {
-    return theme == Theme::dark ? glm::vec4(0.93f, 0.94f, 0.96f, opacity) : glm::vec4(0.07f, 0.08f, 0.1f, opacity);
-}
-
 PlotBox inside_axes(const PlotBox &box, const Plot &plot, const PlotLook &look) {
     const float em = look.text;
     return {box.low + glm::vec2((plot.y_words ? 4.4f : 0.8f) * em, 2 * em), box.high - glm::vec2(0.8f * em, 3.2f * em)};
@@ -143,7 +109,9 @@ PlotBox inside_axes(const PlotBox &box, const Plot &plot, const PlotLook &look) 
 std::vector<PlacedMark> draw_plot(Canvas &canvas, const PlotBox &box, const Plot &plot, const PlotLook &look) {
     const Page page{inside_axes(box, plot, look), plot};
     const Pen pen{canvas, look};
-    draw_axes(pen, page);
+    const float em = look.text;
+    draw_axes(canvas, page.box, marks_of(plot.x, plot.x_title, true, labels_in(page.box.width(), 4.5f * em)),
+              marks_of(plot.y, plot.y_title, plot.y_words, labels_in(page.box.height(), 1.8f * em)), look);
     std::vector<PlacedMark> placed;
     for (std::size_t c = 0; c < plot.curves.size(); ++c) {
         const PlotCurve &curve = plot.curves[c];

@@ -1,9 +1,7 @@
 // A log-log plot, drawn on any canvas.
 #pragma once
 
-#include "plot/canvas.h"
-#include "plot/log_axis.h"
-#include "render/look.h"
+#include "plot/axes.h"
 
 #include <string>
 #include <vector>
@@ -36,11 +34,6 @@ struct Plot {
     std::vector<PlotCurve> curves;
 };
 
-struct PlotLook {
-    float text = 15; ///< text height [pixels]; every other length is a multiple of it
-    Theme theme = Theme::light;
-};
-
 /// Where a mark, or a cross, was drawn.
 struct PlacedMark {
     std::size_t curve = 0, index = 0; ///< of plot.curves, and of its marks or its stopped ones
@@ -55,7 +48,5 @@ std::vector<PlacedMark> draw_plot(Canvas &canvas, const PlotBox &box, const Plot
 
 /// The mark nearest to a point of the page, at most `reach` away; null when there is none.
 const PlacedMark *mark_near(const std::vector<PlacedMark> &marks, glm::vec2 at, float reach);
-
-glm::vec4 plot_ink(Theme theme, float opacity = 1);
 
 } // namespace penumbra

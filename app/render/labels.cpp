@@ -2,6 +2,7 @@
 
 #include "core/percent.h"
 #include "embedded.h"
+#include "iteration/error_map.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -73,7 +74,7 @@ Fonts load_fonts(float size) {
     return fonts;
 }
 
-PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
+PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const ErrorMap *errors) {
     const Counters &c = snapshot.counters;
     PaneLabel label;
     label.title = (tag.empty() ? "" : tag + " ") + std::string(title(snapshot.options.strategy));
@@ -82,10 +83,13 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag) {
     if (snapshot.options.basis == BasisFamily::planar)
         label.title += ", on polygons";
     label.figures = {counted(c.patches, "patch", "patches"), counted(c.coefficients, "coefficient", "coefficients")};
-    if (snapshot.error >= 0)
-        label.figures.push_back("error " + three_digits(100 * snapshot.error) + " %");
+    const double error = errors ? errors->error() : snapshot.error;
+    if (error >= 0)
+        label.figures.push_back("error " + three_digits(100 * error) + " %");
     else if (c.estimated_error >= 0)
         label.figures.push_back("error about " + percent(c.estimated_error));
+    if (errors && errors->truth_error > 0)
+        label.figures.push_back("reference good to " + three_digits(100 * errors->truth_error) + " %");
     if (c.iteration > 0 || c.seconds > 0)
         label.figures.push_back(c.seconds < 0.1 ? three_digits(1000 * c.seconds) + " ms" : three_digits(c.seconds) + " s");
     label.footnote = snapshot.scene + ", ";

@@ -11,6 +11,8 @@
 
 namespace penumbra {
 
+struct ErrorMap; // iteration/error_map.h
+
 /// DejaVu Sans (embedded), rasterised for this text height in pixels.
 struct Fonts {
     ImFont *text = nullptr;
@@ -25,8 +27,8 @@ struct PaneLabel {
     std::vector<std::string> figures; ///< "3 patches", "48 coefficients", "error 0.12 %", "0.31 s"; unknown ones left out
     std::string footnote;             ///< scene, step and phase
 };
-/// `tag` as "(a)" goes before the title.
-PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag = "");
+/// `tag` as "(a)" goes before the title. With a map the error is the map's, and the truth's own is told beside it.
+PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag = "", const ErrorMap *errors = nullptr);
 
 /// In the upper left corner of the rectangle; the footnote in the lower left one. Returns the height of the upper part
 /// [pixels].
@@ -37,7 +39,8 @@ void draw_footnote(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const Pa
 /// The height it would have in a rectangle of this width.
 float pane_label_height(const Fonts &fonts, float width, const PaneLabel &label);
 
-/// Colour bar with ticks and unit, vertical, its upper right corner at `corner`. Returns its size.
+/// Colour bar with ticks and unit, vertical, its upper right corner at `corner`: of radiosity over `range`, or of the
+/// look's errors where these are shown and have a range. Returns its size.
 ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float bar_height, const Look &look,
                           const Range &range);
 /// The same lying down, `width` wide with its upper left corner at `corner`.

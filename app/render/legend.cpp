@@ -1,6 +1,7 @@
 #include "render/labels.h"
 
 #include "render/curve_pass.h"
+#include "render/error_scale.h"
 #include "render/mesh_pass.h"
 #include "render/tone.h"
 
@@ -54,24 +55,74 @@ std::string tick_text(double value, double step) {
     return text;
 }
 
-std::string heading(const Look &look) {
-    std::string text = look.false_colour ? "radiosity, mean of R, G, B [W/m\u00b2]" : "radiosity [W/m\u00b2]";
+/// What a colour bar is drawn from.
+struct Scale {
+    std::string heading;
+    std::vector<std::pair<double, std::string>> ticks; ///< place on the bar in [0, 1], and text
+    std::function<glm::dvec3(double)> colour;          ///< at a place
+};
+
+Scale radiosity_scale(const Look &look, const Range &range, double n) {
+    Scale scale;
+    scale.heading = look.false_colour ? "radiosity, mean of R, G, B [W/m\u00b2]" : "radiosity [W/m\u00b2]";
     if (look.exposure_ev != 0) {
         char exposure[32];
         std::snprintf(exposure, sizeof exposure, ", exposure %+.3g EV", look.exposure_ev);
-        text += exposure;
+        scale.heading += exposure;
     }
+    const Ticks marks = ticks(range, n);
+    for (const double v : marks.values)
+        scale.ticks.emplace_back((v - range.low) / (range.high - range.low), tick_text(v, marks.step));
+    scale.colour = [=](double t) { return shown(look, range, range.low + t * (range.high - range.low)); };
+    return scale;
+}
+
+/// A share in percent, or a plain ratio.
+std::string power_text(ErrorKind kind, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, kind == ErrorKind::estimate ? "%.6g" : "%.6g %%",
+                  kind == ErrorKind::estimate ? value : 100 * value);
     return text;
 }
 
+Scale error_scale(ErrorKind kind, const Range &range, double n) {
+    Scale scale;
+    scale.heading = error_heading(kind);
+    const auto add = [&](double v, const std::string &text) { scale.ticks.emplace_back(place(kind, range, v), text); };
+    if (is_logarithmic(kind)) {
+        const int first = static_cast<int>(std::ceil(std::log10(range.low) - 1e-6)),
+                  last = static_cast<int>(std::floor(std::log10(range.high) + 1e-6));
+        const int every = std::max(1, static_cast<int>(std::ceil((last - first) / n)));
+        for (int k = first; k <= last; ++k)
+            if (kind == ErrorKind::estimate ? k % every == 0 : (last - k) % every == 0)
+                add(std::pow(10, k), power_text(kind, std::pow(10, k)));
+    } else {
+        const Ticks marks = ticks(range, n);
+        for (const double v : marks.values)
+            add(v, (v > 0 ? "+" : v < 0 ? "\u2212" : "") + tick_text(std::abs(v), marks.step));
+    }
+    scale.colour = [=](double t) {
+        const double value = is_logarithmic(kind) ? range.low * std::pow(range.high / range.low, t)
+                                                  : range.low + t * (range.high - range.low);
+        return error_colour(kind, range, value);
+    };
+    return scale;
+}
+
+/// With about n ticks.
+Scale scale_of(const Look &look, const Range &range, double n) {
+    if (look.shading == Shading::error && look.error_range)
+        return error_scale(look.error, *look.error_range, n);
+    return radiosity_scale(look, range, n);
+}
+
 /// The bar in thin strips; `strip(i, n)` is the rectangle of the i-th of n from the low end.
-void draw_bar(ImDrawList &list, const Look &look, const Range &range,
-              const std::function<std::pair<ImVec2, ImVec2>(int, int)> &strip) {
+void draw_bar(ImDrawList &list, const Scale &scale, const std::function<std::pair<ImVec2, ImVec2>(int, int)> &strip) {
     constexpr int n = 128;
     for (int i = 0; i < n; ++i) {
         const auto [low, high] = strip(i, n);
-        const double value = range.low + (range.high - range.low) * (i + 0.5) / n;
-        list.AddRectFilled(low, high, ImGui::ColorConvertFloat4ToU32(shown_colour(look, range, value)));
+        list.AddRectFilled(low, high,
+                           ImGui::ColorConvertFloat4ToU32(to_imgui(glm::vec4(scale.colour((i + 0.5) / n), 1))));
     }
 }
 
@@ -87,22 +138,21 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
                           const Range &range) {
     const float em = fonts.size, bar = 0.9f * em, gap = 0.35f * em;
     float text_width = 0;
-    const Ticks marks = ticks(range, std::clamp(bar_height / (2.2f * em), 2.f, 6.f));
-    for (const double v : marks.values)
-        text_width = std::max(text_width, size_of(fonts, em, tick_text(v, marks.step)).x);
-    const std::string head = heading(look);
-    const float width = std::max(bar + 2 * gap + text_width, size_of(fonts, em, head).x);
-    list.AddText(fonts.text, em, {corner.x - size_of(fonts, em, head).x, corner.y}, ink(look), head.c_str());
+    const Scale scale = scale_of(look, range, static_cast<double>(std::clamp(bar_height / (2.2f * em), 2.f, 6.f)));
+    for (const auto &[at, text] : scale.ticks)
+        text_width = std::max(text_width, size_of(fonts, em, text).x);
+    const float head = size_of(fonts, em, scale.heading).x, width = std::max(bar + 2 * gap + text_width, head);
+    list.AddText(fonts.text, em, {corner.x - head, corner.y}, ink(look), scale.heading.c_str());
     const float top = corner.y + 1.7f * em, right = corner.x - text_width - 2 * gap, left = right - bar;
-    draw_bar(list, look, range, [&](int i, int n) {
+    draw_bar(list, scale, [&](int i, int n) {
         const auto y = [&](int k) { return top + bar_height * (1 - static_cast<float>(k) / static_cast<float>(n)); };
         return std::pair(ImVec2(left, y(i + 1)), ImVec2(right, y(i)));
     });
     list.AddRect({left, top}, {right, top + bar_height}, ink(look));
-    for (const double v : marks.values) {
-        const float y = top + bar_height * static_cast<float>(1 - (v - range.low) / (range.high - range.low));
+    for (const auto &[at, text] : scale.ticks) {
+        const float y = top + bar_height * static_cast<float>(1 - at);
         list.AddLine({right, y}, {right + gap, y}, ink(look));
-        list.AddText(fonts.text, em, {right + 2 * gap, y - 0.5f * em}, ink(look), tick_text(v, marks.step).c_str());
+        list.AddText(fonts.text, em, {right + 2 * gap, y - 0.5f * em}, ink(look), text.c_str());
     }
     return {width, bar_height + 2.3f * em};
 }
@@ -110,18 +160,17 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
 ImVec2 draw_colour_legend_lying(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float width, const Look &look,
                                 const Range &range) {
     const float em = fonts.size, bar = 0.8f * em;
-    list.AddText(fonts.text, em, corner, ink(look), heading(look).c_str());
+    const Scale scale = scale_of(look, range, static_cast<double>(std::clamp(width / (5 * em), 2.f, 6.f)));
+    list.AddText(fonts.text, em, corner, ink(look), scale.heading.c_str());
     const float top = corner.y + 1.35f * em, left = corner.x;
-    draw_bar(list, look, range, [&](int i, int n) {
+    draw_bar(list, scale, [&](int i, int n) {
         const auto x = [&](int k) { return left + width * static_cast<float>(k) / static_cast<float>(n); };
         return std::pair(ImVec2(x(i), top), ImVec2(x(i + 1), top + bar));
     });
     list.AddRect({left, top}, {left + width, top + bar}, ink(look));
-    const Ticks marks = ticks(range, std::clamp(width / (5 * em), 2.f, 6.f));
     float free_from = left; // where the text before ends: at the bar's ends texts are moved inward
-    for (const double v : marks.values) {
-        const float x = left + width * static_cast<float>((v - range.low) / (range.high - range.low));
-        const std::string text = tick_text(v, marks.step);
+    for (const auto &[at, text] : scale.ticks) {
+        const float x = left + width * static_cast<float>(at);
         const float text_width = size_of(fonts, em, text).x;
         list.AddLine({x, top + bar}, {x, top + bar + 0.25f * em}, ink(look));
         const float text_left = std::clamp(x - text_width / 2, left, std::max(left, left + width - text_width));

@@ -15,14 +15,28 @@ std::string_view name(Shading shading) {
         return "flat";
     case Shading::linear:
         return "linear";
+    case Shading::error:
+        return "error";
     }
     return "";
 }
 
 std::optional<Shading> shading_from_name(std::string_view text) {
-    for (const Shading shading : {Shading::polynomial, Shading::flat, Shading::linear})
+    for (const Shading shading : {Shading::polynomial, Shading::flat, Shading::linear, Shading::error})
         if (name(shading) == text)
             return shading;
+    return std::nullopt;
+}
+
+std::string_view name(ErrorKind kind) {
+    constexpr std::string_view names[] = {"signed", "relative", "patch", "estimate"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::optional<ErrorKind> error_kind_from_name(std::string_view text) {
+    for (const ErrorKind kind : all_error_kinds)
+        if (name(kind) == text)
+            return kind;
     return std::nullopt;
 }
 

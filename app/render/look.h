@@ -13,11 +13,21 @@
 namespace penumbra {
 
 /// What a fragment shows of its element: the polynomial itself, its mean, or Gouraud's interpolation of corner values
-/// averaged over the patches of the surface that meet there.
-enum class Shading { polynomial, flat, linear };
-/// `polynomial`, `flat`, `linear`; the public names.
+/// averaged over the patches of the surface that meet there; or how wrong the polynomial is.
+enum class Shading { polynomial, flat, linear, error };
+/// `polynomial`, `flat`, `linear`, `error`; the public names.
 std::string_view name(Shading shading);
 std::optional<Shading> shading_from_name(std::string_view name);
+
+/// Of error pictures; see error_scale.h. Signed: B_h - B, the mean of the channels. Relative: its root mean square over the
+/// channels as a share of the largest B - E; not of B itself, which is 0 in full shadow. Patch: the L2 error of each patch as
+/// a share of ||B - E||. Estimate: that error over what the oracle saw there.
+enum class ErrorKind { signed_error, relative, patch, estimate };
+inline constexpr ErrorKind all_error_kinds[] = {ErrorKind::signed_error, ErrorKind::relative, ErrorKind::patch,
+                                                ErrorKind::estimate};
+/// `signed`, `relative`, `patch`, `estimate`; the public names.
+std::string_view name(ErrorKind kind);
+std::optional<ErrorKind> error_kind_from_name(std::string_view name);
 
 struct Layers {
     bool mesh = true;   ///< sides of the patches
@@ -26,7 +36,7 @@ struct Layers {
     bool operator==(const Layers &) const = default;
 };
 
-/// Radiosities that are told apart [W/m2].
+/// Radiosities that are told apart [W/m2], or errors in the unit of their kind.
 struct Range {
     double low = 0, high = 1;
     bool operator==(const Range &) const = default;
@@ -49,6 +59,8 @@ struct Look {
     std::optional<Range> range; ///< none: each pane takes common_range() of its own snapshot
     bool false_colour = false;  ///< cividis over the range, in place of true colour
     bool emphasise_fresh = true; ///< patches made in this iteration are outlined brighter
+    ErrorKind error = ErrorKind::signed_error; ///< that Shading::error shows
+    std::optional<Range> error_range; ///< of that kind; none: whoever draws takes error_range() of all panes
     CurveFilter curve_filter;
     Spotlight spotlight;
     Theme theme = Theme::dark;

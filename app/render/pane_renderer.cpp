@@ -1,7 +1,10 @@
 #include "render/pane_renderer.h"
 
+#include "core/check.h"
+#include "iteration/error_map.h"
 #include "render/critical_pass.h"
 #include "render/curve_pass.h"
+#include "render/error_pass.h"
 #include "render/glass_pass.h"
 #include "render/gpu_snapshot.h"
 #include "render/link_pass.h"
@@ -16,12 +19,15 @@ namespace penumbra {
 struct PaneRenderer::Parts {
     GpuSnapshot gpu;
     SurfacePass surfaces;
+    ErrorPass errors;
     GlassPass glass;
     LinePass lines;
     gl::VertexArray no_attributes; // shaders fetch what they need by gl_VertexID
     CriticalPass critical;
     std::shared_ptr<const Snapshot> snapshot; // null before the first upload
     std::uint64_t version = 0;                // of the snapshot when it was uploaded
+    std::shared_ptr<const ErrorMap> map;      // of the snapshot; null: not known
+    std::optional<ErrorKind> kind;            // that the errors are there for; none: they are not
     std::optional<CurveFilter> filter;        // of the curves that are there; none: not yet
     std::optional<Spotlight> spotlight;
 
@@ -33,6 +39,19 @@ struct PaneRenderer::Parts {
             critical.upload(*snapshot, look.spotlight);
         filter = look.curve_filter;
         spotlight = look.spotlight;
+        if (look.shading == Shading::error && map)
+            bring_errors(look.error);
+    }
+    void bring_errors(ErrorKind wanted) {
+        if (kind != wanted)
+            errors.upload(*snapshot, *map, wanted);
+        kind = wanted;
+    }
+    void draw_surfaces(const Frame &frame) {
+        const bool wrong = frame.look.shading == Shading::error && map;
+        surfaces.draw(frame, gpu, false, wrong);
+        if (wrong)
+            errors.draw(frame, gpu, false);
     }
 
     Frame frame(const Camera &camera, const Look &look, const PixelRect &rect, PixelScale pixel_scale) const {
@@ -58,7 +77,12 @@ struct PaneRenderer::Parts {
 PaneRenderer::PaneRenderer() : parts_(std::make_unique<Parts>()) {}
 PaneRenderer::~PaneRenderer() = default;
 
-void PaneRenderer::upload(std::shared_ptr<const Snapshot> snapshot) {
+void PaneRenderer::upload(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const ErrorMap> errors) {
+    if (errors)
+        PENUMBRA_CHECK(errors->version, ==, snapshot->version);
+    if (parts_->map != errors)
+        parts_->kind.reset();
+    parts_->map = std::move(errors);
     if (parts_->snapshot && parts_->version == snapshot->version)
         return;
     parts_->gpu.upload(*snapshot);
@@ -113,7 +137,7 @@ void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect 
         // A line is as deep as its middle all over its width: surfaces make room by as many pixels of their own slope.
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(3 * frame.scale, 4);
-        parts_->surfaces.draw(frame, gpu, false);
+        parts_->draw_surfaces(frame);
         parts_->glass.draw_covers(frame, gpu);
         glDisable(GL_POLYGON_OFFSET_FILL);
         glEnable(GL_BLEND);
@@ -141,6 +165,21 @@ void PaneRenderer::draw_values(const Camera &camera, Shading shading, const Pixe
         glBindVertexArray(parts_->no_attributes.name());
         parts_->gpu.surfaces.bind(0);
         parts_->surfaces.draw(frame, parts_->gpu, true);
+    }
+    close();
+}
+
+void PaneRenderer::draw_error_values(const Camera &camera, ErrorKind kind, const PixelRect &rect,
+                                     int framebuffer_height) {
+    open(rect, framebuffer_height, glm::vec4(0));
+    if (parts_->snapshot && parts_->map) {
+        Look look;
+        look.shading = Shading::error;
+        look.error = kind;
+        parts_->bring_errors(kind);
+        const Frame frame = parts_->frame(camera, look, rect, {});
+        glBindVertexArray(parts_->no_attributes.name());
+        parts_->errors.draw(frame, parts_->gpu, true);
     }
     close();
 }

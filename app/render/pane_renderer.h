@@ -10,6 +10,8 @@
 
 namespace penumbra {
 
+struct ErrorMap; // iteration/error_map.h
+
 /// Pixels of a framebuffer; x from the left, y from the top, downward.
 struct PixelRect {
     int x = 0, y = 0, width = 0, height = 0;
@@ -25,7 +27,8 @@ public:
     PaneRenderer &operator=(const PaneRenderer &) = delete;
 
     /// Brings the snapshot to the GPU, unless its version is the one that is there, and keeps it.
-    void upload(std::shared_ptr<const Snapshot> snapshot);
+    /// For error pictures it needs the snapshot's map, too; without (null) these show the light itself.
+    void upload(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const ErrorMap> errors = nullptr);
 
     /// Clears the rectangle to the theme's background and draws what was uploaded. `framebuffer_height` [pixels] says
     /// where the top is. Leaves blending, depth test and scissor off, and no program or vertex array bound. Lines are
@@ -36,6 +39,8 @@ public:
     /// Radiosity of what is seen [W/m2], as red, green and blue, with alpha 1 where there is a surface and 0 where
     /// there is none; for a framebuffer of floats without multisampling.
     void draw_values(const Camera &camera, Shading shading, const PixelRect &rect, int framebuffer_height);
+    /// The same for errors: point_value() or patch_value() of what is seen, in all three channels, where it reflects.
+    void draw_error_values(const Camera &camera, ErrorKind kind, const PixelRect &rect, int framebuffer_height);
 
 private:
     struct Parts;

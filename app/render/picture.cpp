@@ -8,6 +8,7 @@
 #include "render/keyhole_inset.h"
 #include "render/overlay.h"
 #include "render/pane_renderer.h"
+#include "render/profile_mark.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,11 @@ Layout layout(const PictureSpec &spec, const TextSizes &sizes) {
     return result;
 }
 
+/// Of error pictures; others tell the snapshot's own error.
+const ErrorMap *shown_errors(const PictureSpec &spec, const PicturePane &pane) {
+    return spec.look.shading == Shading::error ? pane.errors.get() : nullptr;
+}
+
 bool have_same_footnote(const PictureSpec &spec) {
     for (const PicturePane &pane : spec.panes)
         if (pane_label(*pane.snapshot).footnote != pane_label(*spec.panes.front().snapshot).footnote)
@@ -93,7 +99,7 @@ TextSizes measure(const PictureSpec &spec, const Fonts &fonts, const std::vector
     const float em = fonts.size;
     if (spec.labels)
         for (const PicturePane &pane : spec.panes) {
-            PaneLabel label = pane_label(*pane.snapshot, pane.tag);
+            PaneLabel label = pane_label(*pane.snapshot, pane.tag, shown_errors(spec, pane));
             sizes.label = std::max(sizes.label, static_cast<int>(std::ceil(pane_label_height(fonts, static_cast<float>((spec.width - sizes.inset) / spec.columns) - em, label))));
         }
     sizes.note = static_cast<int>(std::ceil(draw_note(nullptr, fonts, spec, 0)));
@@ -105,6 +111,13 @@ TextSizes measure(const PictureSpec &spec, const Fonts &fonts, const std::vector
 }
 
 } // namespace
+
+std::vector<Judged> judged(const PictureSpec &spec) {
+    std::vector<Judged> all;
+    for (const PicturePane &pane : spec.panes)
+        all.push_back({pane.snapshot.get(), pane.errors.get()});
+    return all;
+}
 
 double pane_aspect(const PictureSpec &spec) {
     // Text heights are estimated: two lines of label, four of legend, two of a note.
@@ -124,6 +137,8 @@ Image draw_picture(const PictureSpec &spec) {
     Look look = spec.look;
     if (!look.range)
         look.range = common_range(snapshots);
+    if (look.shading == Shading::error && !look.error_range)
+        look.error_range = error_range(look.error, judged(spec));
 
     const gl::Framebuffer canvas(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 4);
     const gl::Framebuffer picture(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 1);
@@ -139,7 +154,7 @@ Image draw_picture(const PictureSpec &spec) {
     glClear(GL_COLOR_BUFFER_BIT);
     PaneRenderer renderer;
     for (std::size_t i = 0; i < spec.panes.size(); ++i) {
-        renderer.upload(spec.panes[i].snapshot);
+        renderer.upload(spec.panes[i].snapshot, spec.panes[i].errors);
         renderer.draw(spec.camera, look, l.views[i], spec.height, scale);
     }
     picture.resolve(canvas);
@@ -150,7 +165,7 @@ Image draw_picture(const PictureSpec &spec) {
     const bool same_footnote = spec.legend && have_same_footnote(spec);
     if (spec.labels)
         for (std::size_t i = 0; i < spec.panes.size(); ++i) {
-            PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag);
+            PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag, shown_errors(spec, spec.panes[i]));
             const ImVec2 low = corner(l.cells[i]);
             const ImVec2 high(low.x + static_cast<float>(l.cells[i].width), low.y + static_cast<float>(l.cells[i].height));
             if (!same_footnote) { // else it is said once, with the legend
@@ -160,6 +175,11 @@ Image draw_picture(const PictureSpec &spec) {
             label.footnote.clear();
             draw_pane_label(list, overlay.fonts(), low, high, label, look.theme);
         }
+    if (spec.profile)
+        for (const PixelRect &view : l.views)
+            draw_profile_mark(list, overlay.fonts(), corner(view),
+                              {static_cast<float>(view.x + view.width), static_cast<float>(view.y + view.height)},
+                              spec.camera, *spec.profile);
     if (spec.keyhole) {
         for (const PixelRect &view : l.views)
             draw_keyhole_point(list, overlay.fonts(), corner(view),

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "capture.h"
+#include "iteration/profile.h"
 #include "iteration/snapshot.h"
 #include "measure/keyhole.h"
 #include "render/camera.h"
+#include "render/error_scale.h"
 #include "render/look.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +20,7 @@ namespace penumbra {
 struct PicturePane {
     std::shared_ptr<const Snapshot> snapshot;
     std::string tag; ///< "(a)", or nothing
+    std::shared_ptr<const ErrorMap> errors = nullptr; ///< of the snapshot, for error pictures; null: not known
 };
 
 struct PictureSpec {
@@ -24,8 +28,9 @@ struct PictureSpec {
     std::vector<PicturePane> panes;
     int columns = 1;
     Camera camera;      ///< the same in all panes
-    Look look;          ///< without a range: common_range() of all panes
+    Look look;          ///< without a range: common_range() of all panes; without one of errors: error_range() of all
     std::shared_ptr<const Keyhole> keyhole; ///< drawn at the right, its point in all panes; null: none
+    std::optional<ProfileLine> profile;     ///< drawn in all panes; none: no line
     std::string caption; ///< a sentence below the panes, where no curve is in the limelight; empty: none
     double text = 0;    ///< text height [pixels]; 0: from the picture's size
     bool labels = true, legend = true;
@@ -33,6 +38,9 @@ struct PictureSpec {
 
 /// Aspect (width / height) of one pane of such a picture, for fitting the camera.
 double pane_aspect(const PictureSpec &spec);
+
+/// What its panes show, for error_range().
+std::vector<Judged> judged(const PictureSpec &spec);
 
 /// Draws in the current context into a framebuffer of its own and reads it back; leaves the bound framebuffer and the
 /// ImGui context as they were.

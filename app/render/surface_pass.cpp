@@ -8,7 +8,7 @@ SurfacePass::SurfacePass()
     : program_({"space.glsl", "patch.glsl", "surface.vert"},
                {"space.glsl", "patch.glsl", "radiosity.frag", "tone.glsl", "surface.frag"}) {}
 
-void SurfacePass::draw(const Frame &frame, const GpuSnapshot &gpu, bool values) const {
+void SurfacePass::draw(const Frame &frame, const GpuSnapshot &gpu, bool values, bool lamps_alone) const {
     program_.use();
     frame.set_space(program_);
     gpu.patches.bind(1);
@@ -19,6 +19,7 @@ void SurfacePass::draw(const Frame &frame, const GpuSnapshot &gpu, bool values) 
     program_.set("coefficients", 2);
     program_.set("shading", static_cast<int>(frame.look.shading));
     program_.set("values", values ? 1 : 0);
+    program_.set("lamps_alone", lamps_alone ? 1 : 0);
     program_.set("range", glm::vec2(frame.range.low, frame.range.high));
     program_.set("gain", static_cast<float>(std::exp2(frame.look.exposure_ev)));
     program_.set("false_colour", frame.look.false_colour ? 1 : 0);

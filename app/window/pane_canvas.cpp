@@ -1,6 +1,7 @@
 #include "window/pane_canvas.h"
 
 #include "gl/framebuffer.h"
+#include "truth_verbs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ constexpr int samples = 4; // what llvmpipe offers at most, at twice the time of
 /// All that a pane's picture depends on.
 struct Shown {
     std::uint64_t version = 0;
+    std::shared_ptr<const ErrorMap> errors; ///< null: the light is shown
     Camera camera;
     Look look;
     PixelRect rect;
@@ -25,7 +27,8 @@ bool same(const PixelRect &a, const PixelRect &b) {
     return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
 bool same(const Shown &a, const Shown &b) {
-    return a.version == b.version && a.camera == b.camera && a.look == b.look && same(a.rect, b.rect);
+    return a.version == b.version && a.errors == b.errors && a.camera == b.camera && a.look == b.look &&
+           same(a.rect, b.rect);
 }
 
 PixelRect pixels(const WindowRect &r, double ratio) {
@@ -61,6 +64,11 @@ struct PaneCanvas::Parts {
         clear_colour();
         glDisable(GL_SCISSOR_TEST);
     }
+    /// Whether the pane has a picture of errors that would still be right but for the step.
+    bool shows_errors(std::size_t i, const PixelRect &rect, const AppState &state) const {
+        return shown[i] && shown[i]->errors && same(shown[i]->rect, rect) && shown[i]->camera == state.camera &&
+               !state.truth.halted;
+    }
     void clear() {
         clear_colour();
         shown = {};
@@ -93,11 +101,16 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
         const auto snapshot = state.snapshot(strategies[i]);
         if (!snapshot)
             continue; // what was there stays until the new solution is ready
-        const Shown now{snapshot->version, state.camera, look, pixels(arrangement.pane[i], pixel_ratio), moving};
+        const bool wrong = look.shading == Shading::error && look.error_range;
+        const auto errors = wrong ? errors_of(state, strategies[i]) : nullptr;
+        if (wrong && !errors && p.shows_errors(i, pixels(arrangement.pane[i], pixel_ratio), state))
+            continue; // until those of this step are measured
+        const Shown now{
+            snapshot->version, errors, state.camera, look, pixels(arrangement.pane[i], pixel_ratio), moving};
         if (p.shown[i] && same(*p.shown[i], now) && (moving || !p.shown[i]->draft))
             continue;
         (moving ? *p.kept : *p.sampled).bind();
-        p.renderers[i].upload(snapshot);
+        p.renderers[i].upload(snapshot, errors);
         p.renderers[i].draw(state.camera, look, now.rect, height, {pixel_ratio * state.ui_scale});
         if (!moving)
             p.kept->resolve(*p.sampled, now.rect.x, height - now.rect.y - now.rect.height, now.rect.width, now.rect.height);

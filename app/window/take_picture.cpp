@@ -6,6 +6,7 @@
 #include "files/state_text.h"
 #include "files/write_state.h"
 #include "render/picture.h"
+#include "truth_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -26,12 +27,14 @@ PictureSpec panes_spec(const AppState &state, int width, int height) {
     spec.height = static_cast<int>(std::lround(scale * height));
     spec.columns = state.layout == Layout::single ? 1 : 2;
     for (const Strategy s : state.shown())
-        spec.panes.push_back({state.snapshot(s), std::string("(") + letter(s) + ")"});
+        spec.panes.push_back({state.snapshot(s), std::string("(") + letter(s) + ")", errors_of(state, s)});
     spec.camera = state.camera;
     spec.look = state.look;
     spec.look.emphasise_fresh = false;
     if (state.keyhole.open)
         spec.keyhole = state.keyhole.seen;
+    if (state.profile.open)
+        spec.profile = state.profile.line;
     spec.look.spotlight.curve = state.pinned_curve.value_or(-1);
     spec.legend = !state.legend_hidden;
     return spec;

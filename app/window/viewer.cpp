@@ -8,8 +8,10 @@
 #include "gl/context_lost.h"
 #include "keyhole_verbs.h"
 #include "panels/panels.h"
+#include "profile_verbs.h"
 #include "restore.h"
 #include "shelf_verbs.h"
+#include "truth_verbs.h"
 #include "verbs.h"
 #include "window/display_end.h"
 #include "window/end_signal.h"
@@ -60,7 +62,7 @@ Viewer::Viewer(ViewerSetup setup)
       window_("Penumbra", setup_.width, setup_.height,
               {[this](const std::string &key) { on_key(key); },
                [this](const std::string &file) { state_.open_request = file; }}),
-      worker_(setup_.read_file, GlfwWindow::wake), checker_(GlfwWindow::wake) {}
+      worker_(setup_.read_file, GlfwWindow::wake), checker_(GlfwWindow::wake), judge_(GlfwWindow::wake) {}
 
 ViewerEnd Viewer::run() {
     const EndSignal signal(GlfwWindow::wake);
@@ -126,13 +128,17 @@ void Viewer::take_reports() {
                               true};
         frames_owed_ = frames_to_settle;
     }
+    for (const TruthReport &report : judge_.take_reports()) {
+        apply(state_, report);
+        frames_owed_ = frames_to_settle;
+    }
     for (const CheckReport &report : checker_.take_reports()) {
         apply(state_, report);
         frames_owed_ = frames_to_settle;
     }
 }
 
-/// Passes on to the worker what the actions have asked for.
+/// Passes on to the workers what the actions have asked for.
 void Viewer::serve_requests() {
     if (auto name = std::exchange(state_.open_request, std::nullopt)) {
         state_.opening = *name;
@@ -152,6 +158,10 @@ void Viewer::serve_requests() {
         checker_.stop();
     if (std::exchange(state_.shelf.check_request, false))
         checker_.start(hard_cases(), state_.options.threads);
+    if (TruthGoal now = truth_goal(state_); !(now == judging_)) {
+        judging_ = now;
+        judge_.aim(std::move(now));
+    }
     if (auto now = goal(state_); now && now != aimed_) {
         aimed_ = now;
         worker_.aim(std::move(*now));
@@ -278,6 +288,8 @@ void Viewer::draw_frame() {
     state_.pane_aspect = static_cast<double>(arrangement.pane[0].width / arrangement.pane[0].height);
     set_first_view();
     update_range();
+    update_error_range(state_);
+    update_profile(state_);
     draw_panels(arrangement);
     set_first_view(); // where a panel has asked for it
 
@@ -308,6 +320,7 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
         draw_tool_bar(state_, arrangement.tool_bar);
         draw_side_panel(state_, arrangement.side);
         draw_inspector(state_, arrangement.inspector, fonts_);
+        draw_profile_panel(state_, arrangement.profile, fonts_);
         draw_transport(state_, arrangement.transport);
         draw_status_bar(state_, arrangement.status);
     }

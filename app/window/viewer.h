@@ -6,6 +6,7 @@
 #include "check_worker.h"
 #include "render/labels.h"
 #include "solve_worker.h"
+#include "truth_worker.h"
 #include "window/glfw_window.h"
 #include "window/pane_canvas.h"
 
@@ -70,7 +71,9 @@ private:
     PaneCanvas canvas_;
     SolveWorker worker_;
     CheckWorker checker_;
+    TruthWorker judge_;
     std::optional<Goal> aimed_;
+    TruthGoal judging_; ///< that the judge was told of
     std::optional<Clock::time_point> cancelled_at_;
     bool over_memory_limit_ = false; ///< that is why the worker was cancelled
     Fonts fonts_;

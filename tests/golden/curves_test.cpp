@@ -72,12 +72,15 @@ TEST_F(Curves, WhatStandsBeforeACurveHidesIt) {
 
 TEST_F(Curves, AWayThatCrossesACurveIsSeenToDoSo) {
     const Vec3 across(0.05, 0, 0);
-    EXPECT_THAT(crossed_curves(*snapshot, 0, middle(0) - across, middle(0) + across), testing::ElementsAre(0));
+    EXPECT_THAT(crossed_curves(*snapshot, 0, middle(0) - across, middle(0) + across),
+                testing::ElementsAre(testing::Field(&CurveCrossing::curve, 0)));
     EXPECT_THAT(crossed_curves(*snapshot, 0, middle(0) + across, middle(0) + 2 * across), testing::IsEmpty());
     EXPECT_THAT(crossed_curves(*snapshot, 2, middle(0) - across, middle(0) + across), testing::IsEmpty())
         << "on another surface";
     const Vec3 on = middle(1) - middle(0); // over both, in its order
-    EXPECT_THAT(crossed_curves(*snapshot, 0, middle(0) - 0.2 * on, middle(1) + 0.2 * on), testing::ElementsAre(0, 1));
+    EXPECT_THAT(
+        crossed_curves(*snapshot, 0, middle(0) - 0.2 * on, middle(1) + 0.2 * on),
+        testing::ElementsAre(testing::Field(&CurveCrossing::curve, 0), testing::Field(&CurveCrossing::curve, 1)));
 }
 
 TEST_F(Curves, EventsAreSaidInWords) {

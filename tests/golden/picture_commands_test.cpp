@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
@@ -170,13 +171,67 @@ TEST_F(PictureCommands, RenderLooksThroughTheKeyhole) {
     EXPECT_FALSE(fs::exists(folder / "a.png"));
 }
 
+TEST_F(PictureCommands, ErrorPicturesTellTheirKindAndRange) {
+    const std::string common = "render slanted-edge --threshold 0.05 --size 400x300 --shading error ";
+    ASSERT_EQ(run(common + "-o signed.png"), 0) << text(folder / ".err");
+    ASSERT_EQ(run(common + "-o patch.png --error patch --error-range 1e-4:0.1 --panes a,d"), 0)
+        << text(folder / ".err");
+    EXPECT_EQ(state("signed.png")["shading"], "error");
+    EXPECT_EQ(state("signed.png")["error"]["kind"], "signed");
+    EXPECT_EQ(state("patch.png")["error"],
+              nlohmann::json::parse(R"({"kind": "patch", "range": [1e-4, 0.1], "locked": true})"));
+    // The picture's state draws it again.
+    ASSERT_EQ(run("render patch.png -o again.png"), 0) << text(folder / ".err");
+    EXPECT_EQ(state("again.png")["error"], state("patch.png")["error"]);
+    // Too bright is brown, too dark is blue: both must be there.
+    const Image image = read_png(folder / "signed.png");
+    int brown = 0, blue = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+        brown += image.rgb[i] > image.rgb[i + 2] + 60;
+        blue += image.rgb[i + 2] > image.rgb[i] + 60;
+    }
+    EXPECT_GT(brown, 200);
+    EXPECT_GT(blue, 200);
+}
+
+TEST_F(PictureCommands, AProfileIsPlottedBesideThePicture) {
+    const std::string common = "render figure-4 --threshold 0.05 --size 400x300 --panes a,d ";
+    const nlohmann::json record = [&] {
+        EXPECT_EQ(run(common + "-o plain.png"), 0);
+        return state("plain.png");
+    }();
+    EXPECT_EQ(record["profile"], nullptr);
+    ASSERT_EQ(run(common + "-o lined.png --profile \"0.1 0.2 0 0.9 0.7 0\""), 0) << text(folder / ".err");
+    EXPECT_GT(read_png(folder / "lined-profile.png").width, 1000);
+    EXPECT_THAT(text(folder / "lined-profile.svg"), testing::HasSubstr("discontinuity curves"));
+    const nlohmann::json ends = state("lined.png")["profile"];
+    EXPECT_NEAR(ends[1][0].get<double>(), 0.9, 1e-12);
+    EXPECT_NEAR(ends[1][1].get<double>(), 0.7, 1e-12);
+    std::istringstream csv(text(folder / "lined-profile.csv"));
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_EQ(line, "curve,at,x,y,z,r,g,b,slope_r,slope_g,slope_b,element");
+    std::map<std::string, int> rows;
+    while (std::getline(csv, line))
+        ++rows[line.substr(0, line.find(','))];
+    EXPECT_THAT(rows, testing::SizeIs(3));
+    EXPECT_GE(rows["truth"], 501);
+    EXPECT_GE(rows["discontinuity-wavelet"], 500);
+    EXPECT_EQ(run(common + "-o a.png --profile \"0.1 0.2 0.5 0.9 0.7 0.5\""), 3);
+    EXPECT_THAT(text(folder / ".err"), testing::HasSubstr("holds both points"));
+    EXPECT_FALSE(fs::exists(folder / "a.png"));
+}
+
 TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
     for (const char *wrong :
-         {"render figure-4", "render -o a.png", "render figure-4 -o a.png --size 0x10", "render figure-4 -o a.png --size 10",
-          "render figure-4 -o a.png --layers mess", "render figure-4 -o a.png --shading error",
-          "render figure-4 -o a.png --range 2:1", "render figure-4 -o a.png --view \"1 2 3\"",
-          "render figure-4 -o a.png --layout triple", "render figure-4 -o a.png --curve -1",
-          "render figure-4 -o a.png --curve-kinds VE,XY", "render figure-4 -o a.png --curve-orders 3", "render figure-4 -o a.png --steps -1", "paper"}) {
+         {"render figure-4", "render -o a.png", "render figure-4 -o a.png --size 0x10",
+          "render figure-4 -o a.png --size 10", "render figure-4 -o a.png --layers mess",
+          "render figure-4 -o a.png --shading wrong", "render figure-4 -o a.png --error huge",
+          "render figure-4 -o a.png --error-range 1:2", "render figure-4 -o a.png --error patch --error-range 0:2",
+          "render figure-4 -o a.png --profile \"0 0 0 1 1\"", "render figure-4 -o a.png --range 2:1",
+          "render figure-4 -o a.png --view \"1 2 3\"", "render figure-4 -o a.png --layout triple",
+          "render figure-4 -o a.png --curve -1", "render figure-4 -o a.png --curve-kinds VE,XY",
+          "render figure-4 -o a.png --curve-orders 3", "render figure-4 -o a.png --steps -1", "paper"}) {
         EXPECT_EQ(run(wrong), 2) << wrong;
         EXPECT_FALSE(fs::exists(folder / "a.png")) << wrong;
     }

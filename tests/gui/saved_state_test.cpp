@@ -11,9 +11,9 @@ namespace penumbra::gui {
 namespace {
 
 /// What a state brings back. The keyhole's point and the camera are the same to the last bit.
-constexpr const char *kept[] = {"scene",   "options",  "position", "strategies",   "layout",
-                                "active",  "camera",   "layers",   "curves",       "keyhole",
-                                "shading", "exposure", "range",    "false_colour", "background"};
+constexpr const char *kept[] = {"scene",   "options",  "position", "strategies",   "layout",    "active",
+                                "camera",  "layers",   "curves",   "keyhole",      "shading",   "error",
+                                "profile", "exposure", "range",    "false_colour", "background"};
 
 void expect_same_view(const Json &a, const Json &b) {
     for (const char *key : kept)

@@ -33,7 +33,10 @@ SavedState unusual() {
     s.position = 4;
     s.converged = true;
     s.camera = Camera{{0.1, -1e-17, 1e9}, {2, 3, 5}, {0.6, 0.8, 0}, 0.1 + 0.2};
-    s.look.shading = Shading::flat;
+    s.look.shading = Shading::error;
+    s.look.error = ErrorKind::relative;
+    s.look.error_range = Range{1e-5, 1.0 / 3};
+    s.error_range_locked = true;
     s.look.layers = {false, false, true};
     s.look.exposure_ev = -1.7;
     s.look.range = Range{0.1, 1e-3 + 0.1};
@@ -45,6 +48,7 @@ SavedState unusual() {
     s.range_chosen = true;
     s.legend = false;
     s.keyhole = Vec3(0.5, -0.45, 1e-300);
+    s.profile = std::pair(Vec3(0.1, -2, 1e7), Vec3(1.0 / 3, 4, 5));
     s.picture = SavedPicture{1000, 777, true, true};
     return s;
 }
@@ -60,6 +64,8 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     EXPECT_EQ(again.camera, s.camera);
     EXPECT_EQ(again.look, s.look);
     EXPECT_EQ(again.keyhole, s.keyhole);
+    EXPECT_EQ(again.profile, s.profile);
+    EXPECT_EQ(again.error_range_locked, s.error_range_locked);
     EXPECT_EQ(again.picture, s.picture);
     EXPECT_EQ(again.options.threshold, s.options.threshold);
     EXPECT_EQ(again.options.tolerance, s.options.tolerance);
@@ -164,7 +170,11 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("curves": {"source": -1})", "curves.source is -1"},
         {R"("curves": {"shown": 1e9})", "curves.shown is 1e+09"},
         {R"("keyhole": [0, "0", 0])", "keyhole[1] is '0'; give a number"},
-        {R"("shading": "error")", "shading is 'error'; give polynomial, flat or linear"},
+        {R"("profile": [[0, 0, 0]])", "profile has 1 points; give two"},
+        {R"("profile": [[0, 0, 0], [0, 0]])", "profile[1] has 2 numbers; give x, y and z"},
+        {R"("shading": "round")", "shading is 'round'; give polynomial, flat, linear or error"},
+        {R"("error": {"kind": "big"})", "error.kind is 'big'; give signed, relative, patch or estimate"},
+        {R"("error": {"kind": "patch", "range": [0, 1]})", "error.range has a low end that is not above 0"},
         {R"("exposure": 41)", "exposure is 41; give a number from -40 to 40"},
         {R"("range": [2, 1])", "range is 2 to 1; give the low end first"},
         {R"("range": [1])", "range has 1 numbers"},

@@ -1,0 +1,16 @@
+// The line of a profile in the scene, on any ImGui draw list.
+#pragma once
+
+#include "iteration/profile.h"
+#include "render/camera.h"
+#include "render/labels.h"
+
+#include <optional>
+
+namespace penumbra {
+
+/// In the rectangle of a pane: the line from A to B, and a ring about the place that is looked at, if any.
+void draw_profile_mark(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const Camera &camera,
+                       const ProfileLine &line, std::optional<double> at = std::nullopt);
+
+} // namespace penumbra

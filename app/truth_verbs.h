@@ -1,0 +1,25 @@
+// How wrong the solutions are: what has to be found out for the error pictures and the profile, and what has been.
+#pragma once
+
+#include "app_state.h"
+#include "truth_worker.h"
+
+namespace penumbra {
+
+/// What the worker should find out; nothing (no scene) unless error pictures or a profile are shown.
+TruthGoal truth_goal(const AppState &state);
+/// Takes over what the worker says.
+void apply(AppState &state, const TruthReport &report);
+
+/// The map of what a strategy's pane shows; null: not known, or not of this step.
+std::shared_ptr<const ErrorMap> errors_of(const AppState &state, Strategy strategy);
+/// Equal in all panes: unless it is locked it follows what they show, as soon as all of it is known.
+void update_error_range(AppState &state);
+/// Shows this kind of error. The range of another kind is let go.
+void show_errors(AppState &state, ErrorKind kind);
+/// Keeps the range through steps and strategies, or lets it follow them again.
+void toggle_range_lock(AppState &state);
+/// Gives up finding out until something is asked for again.
+void stop_judging(AppState &state);
+
+} // namespace penumbra
