@@ -1,8 +1,8 @@
 #include "truth_worker.h"
 
 #include "core/percent.h"
+#include "files/find_reference.h"
 #include "iteration/error_map.h"
-#include "study/find_reference.h"
 
 #include <algorithm>
 #include <utility>

@@ -38,7 +38,7 @@ struct CostOptions {
     SolvingOptions solving;
     CommonOptions common;
     CostRange range;
-    double reference = 0.003;
+    double reference = picture_tolerance;
 };
 
 /// Null where cancelled. On a terminal says how far it is.
@@ -46,11 +46,11 @@ std::shared_ptr<const Reference> reference_for(const std::shared_ptr<const Scene
                                                const Cancel &cancel) {
     const CommonOptions &common = options.common;
     const bool line = !common.quiet && !common.verbose && error_is_terminal();
-    const auto show = [&](int iteration, double error) {
-        const std::string so_far = error >= 0 ? ", error about " + percent(error) : "";
+    const auto show = [&](const Counters &c) {
+        const std::string so_far = c.estimated_error >= 0 ? ", error about " + percent(c.estimated_error) : "";
         if (line || common.verbose)
             std::fprintf(stderr, "%sreference to %s: iteration %d%s%s", line ? "\r\033[K" : "",
-                         percent(options.reference).c_str(), iteration, so_far.c_str(), line ? "" : "\n");
+                         percent(options.reference).c_str(), c.iteration, so_far.c_str(), line ? "" : "\n");
         std::fflush(stderr);
     };
     std::shared_ptr<const Reference> reference;

@@ -10,4 +10,7 @@ namespace penumbra {
 std::shared_ptr<const Reference> find_reference(const std::shared_ptr<const Scene> &scene, double tolerance,
                                                 const Cancel *cancel, const ReferenceProgress &told = {});
 
+/// Of references for pictures.
+inline constexpr double picture_tolerance = 0.003;
+
 } // namespace penumbra

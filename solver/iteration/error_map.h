@@ -39,7 +39,7 @@ struct ErrorMap {
 struct MapDensity {
     int points = 96;        ///< to the side of a square surface, at least
     int constant_cells = 2; ///< to the side of a patch with one value, at least, each of four points
-    int cells = 3;          ///< of another patch
+    int cells = 4;          ///< of another patch
 };
 /// Of an exact truth as above; one that is gathered costs a hundred times as much, and gets fewer.
 MapDensity map_density(const Truth &truth);

@@ -12,7 +12,7 @@ ConvergedSolution solve_for_reference(const std::shared_ptr<const Scene> &scene,
     while (!solver.ended() && solver.counters().iteration < solver.options().max_iterations) {
         solver.step(cancel);
         if (told)
-            told(solver.counters().iteration, solver.counters().estimated_error);
+            told(solver.counters());
     }
     const auto state = solver.state();
     const Setting setting{scene, solver.options(), std::make_unique<const Blockers>(*scene),

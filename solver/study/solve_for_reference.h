@@ -8,8 +8,8 @@
 
 namespace penumbra {
 
-/// Is told after each iteration of the solution: how many there were, and the error estimated so far (negative: none yet).
-using ReferenceProgress = std::function<void(int iteration, double estimated_error)>;
+/// Is told after each iteration of the solution.
+using ReferenceProgress = std::function<void(const Counters &)>;
 
 /// Solves the scene to the tolerance, in the parametric basis with cuts; where that is out of reach, as far as it goes.
 /// The error of the reference that this makes is what a further bounce of the solution's residual brings (the `bounced`

@@ -66,7 +66,9 @@ TEST_P(ErrorMaps, SquaresOfThePatchesAddUpToTheSnapshotsError) {
     double sum = 0;
     for (std::size_t i = 0; i < s.map->patches.size(); ++i)
         sum += s.map->share(i) * s.map->share(i);
-    EXPECT_NEAR(std::sqrt(sum), s.snapshot->error, 0.05 * s.snapshot->error);
+    // The snapshot's is from midpoints, 3 x 3 on the smallest patches: of an error that is linear there they see the square's
+    // 8/9, which is 6 % less. The maps' Gauss points see it whole.
+    EXPECT_NEAR(std::sqrt(sum), s.snapshot->error, 0.1 * s.snapshot->error);
     EXPECT_EQ(s.map->truth_error, 0);
     EXPECT_EQ(s.map->version, s.snapshot->version);
 }
@@ -116,7 +118,7 @@ TEST_P(ErrorMaps, BetweenThemThePictureIsRight) {
                 const double a = uniform(random), b = uniform(random);
                 const std::size_t side = static_cast<std::size_t>(e.n) + 2,
                                   corner = (tile * side + row) * side + column;
-                const auto along = [&](std::size_t k) { return quads[tile].inverse(e.points[corner + k]); };
+                const auto along = [&](std::size_t step) { return quads[tile].inverse(e.points[corner + step]); };
                 const double u = (1 - a) * along(0).x() + a * along(1).x(),
                              v = (1 - b) * along(0).y() + b * along(side).y();
                 const Rgb exact = s.missed(patch.surface, quads[tile].at(u, v));

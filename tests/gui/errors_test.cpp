@@ -42,8 +42,9 @@ TEST(Errors, ArePicturedInAllPanesOnOneScale) {
         const double low = now["error"]["range"][0], high = now["error"]["range"][1];
         EXPECT_LT(low, high);
         EXPECT_EQ(std::string(kind) == "signed", low < 0);
-        if (std::string(kind) == "estimate")
+        if (std::string(kind) == "estimate") {
             EXPECT_NEAR(low * high, 1, 1e-9);
+        }
     }
     // A kind's picture is its own.
     const Screenshot signed_picture = session.shot();

@@ -38,7 +38,7 @@ TEST(LinearAxis, LabelsStandAtRoundNumbersAndAreNoMoreThanAskedFor) {
 
 TEST(LinearAxis, UnlabelledTicksDivideTheSteps) {
     int minor = 0;
-    for (const Tick &t : ticks({0, 1}, 6)) {
+    for (const Tick &t : ticks(LinearAxis{0, 1}, 6)) {
         EXPECT_EQ(t.major, !t.label.empty());
         minor += !t.major;
     }
