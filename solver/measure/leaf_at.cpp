@@ -1,6 +1,7 @@
 #include "measure/leaf_at.h"
 
 #include <limits>
+#include <ranges>
 
 namespace penumbra {
 
@@ -17,28 +18,40 @@ double depth_inside(const Polygon &convex, const Vec2 &p) {
     return least;
 }
 
-} // namespace
+/// Whether p lies on the inner side of all sides: as depth_inside > 0, without lengths.
+bool strictly_inside(const Polygon &convex, const Vec2 &p) {
+    for (std::size_t i = 0; i < convex.size(); ++i) {
+        const Vec2 &a = convex[i], side = convex[i + 1 < convex.size() ? i + 1 : 0] - a;
+        if (cross(side, p - a) <= 0 && side != Vec2::Zero())
+            return false;
+    }
+    return true;
+}
 
-ElementId leaf_at(const Forest &forest, SurfaceId surface, const Vec2 &point) {
+/// Of elements that tile a region: the first that holds the point, else the one that it is least outside of.
+template <class Elements>
+ElementId holder(const Forest &forest, const Elements &elements, const Vec2 &point) {
+    for (const ElementId e : elements)
+        if (strictly_inside(forest[e].basis.outline(), point))
+            return e;
     ElementId at;
     double most_inside = -std::numeric_limits<double>::infinity();
-    const auto consider = [&](ElementId e) {
-        const double depth = depth_inside(forest[e].basis.outline(), point);
-        if (depth > most_inside) {
+    for (const ElementId e : elements)
+        if (const double depth = depth_inside(forest[e].basis.outline(), point); depth > most_inside) {
             most_inside = depth;
             at = e;
         }
-        return depth > 0;
-    };
-    for (const ElementId root : forest.roots[surface.at()])
-        if (consider(root))
-            break;
+    return at;
+}
+
+} // namespace
+
+ElementId leaf_at(const Forest &forest, SurfaceId surface, const Vec2 &point) {
+    ElementId at = holder(forest, forest.roots[surface.at()], point);
     while (!forest[at].leaf()) {
         const Element &parent = forest[at];
-        most_inside = -std::numeric_limits<double>::infinity();
-        for (int c = 0; c < parent.n_children; ++c)
-            if (consider(ElementId(parent.first_child.index + c)))
-                break;
+        const auto child = [&](int c) { return ElementId(parent.first_child.index + c); };
+        at = holder(forest, std::views::iota(0, parent.n_children) | std::views::transform(child), point);
     }
     return at;
 }
