@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace penumbra {
 
@@ -15,6 +16,15 @@ std::string words(double value, double step) {
     if (decimals > 5 || std::abs(value) >= 1e5)
         return (value < 0 ? "\u2212" : "") + fmt::format("{:.3g}", std::abs(value));
     return (value < 0 ? "\u2212" : "") + fmt::format("{:.{}f}", std::abs(value), std::max(0, decimals));
+}
+
+/// The least of 1, 2 and 5 times a power of ten that is not below `least`.
+double round_step(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least) + 1e-9));
+    for (const double m : {1.0, 2.0, 5.0})
+        if (m * power >= least * (1 - 1e-9))
+            return m * power;
+    return 10 * power;
 }
 
 } // namespace
@@ -38,11 +48,10 @@ LinearAxis linear_axis(const std::vector<double> &values, double margin) {
 
 std::vector<Tick> ticks(const LinearAxis &axis, int most_labels) {
     const double length = axis.high - axis.low, rough = length / std::max(1, most_labels);
-    const double power = std::pow(10.0, std::floor(std::log10(rough) + 1e-9));
-    double step = 10 * power;
-    for (const double m : {5.0, 2.0, 1.0})
-        if (m * power >= rough * (1 - 1e-9))
-            step = m * power;
+    double step = round_step(rough);
+    // No multiple of it may lie on a short axis: then the next smaller one, so that some number stands there.
+    while (std::floor(axis.high / step + 1e-9) < std::ceil(axis.low / step - 1e-9))
+        step = round_step(0.4 * step);
     const bool of_two = std::abs(step / std::pow(10.0, std::floor(std::log10(step) + 1e-9)) - 2) < 0.5;
     const int parts = of_two ? 2 : 5;
     const double minor = step / parts;

@@ -24,7 +24,7 @@ constexpr int side = 192; // pixels
 Rgb truth_at(const Vec2 &p) { return {1 + 0.2 * std::sin(5 * p.x() + p.y()), 0.9 + 0.1 * p.x(), 1 - 0.1 * p.y()}; }
 
 std::shared_ptr<const ErrorMap> map_of(const Snapshot &snapshot) {
-    return ErrorMapper({[](int, const Vec2 &p) { return truth_at(p); }, 0}, {32, 2, 3}).map(snapshot);
+    return ErrorMapper({[](int, const Vec2 &p) { return truth_at(p); }, 0}, {160, 24, 24}).map(snapshot);
 }
 
 double in_frame(int pixel) { return 2 * (pixel + 0.5) / side - 1; }
