@@ -24,14 +24,15 @@ namespace penumbra {
 
 namespace {
 
-/// Measures the solution. Where a limit stopped it a solution of an earlier iteration may be the better one (`best`), and
-/// then takes its place; what was stopped in the middle of refining is given a while to be measured, no longer.
+/// Measures the solution. Where a limit stopped it on the way to a tolerance, a solution of an earlier iteration may be the
+/// better one (`best`), and then takes its place; what was stopped in the middle of refining is given a while to be
+/// measured, no longer. With a threshold there is nothing to choose from, and the limit holds.
 void measure(Solver &solver, const std::shared_ptr<const State> &best, const Interrupt &interrupt) {
-    if (interrupt.cause() == "interrupt")
+    const bool stopped = interrupt.exit_status() != done;
+    if (interrupt.cause() == "interrupt" || (stopped && !solver.options().tolerance))
         return;
     constexpr double a_while = 2; // [s]
     const Cancel never;
-    const bool stopped = interrupt.exit_status() != done;
     const RunWatch watch({stopped ? a_while : std::optional<double>(), std::nullopt}, stopped ? never : interrupt.cancel());
     try {
         solver.measure(&watch.cancel());
