@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace penumbra {
 
@@ -43,7 +44,7 @@ struct PaneCanvas::Parts {
     std::array<std::optional<Shown>, 4> shown;
     std::optional<gl::Framebuffer> sampled, kept;
     Theme theme = Theme::dark;
-    std::size_t n = 0;
+    std::vector<PixelRect> rects; ///< of the panes; between them are lines that no pane draws
     PixelRect strip{};
 
     void resize(int width, int height) {
@@ -88,9 +89,12 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
                      double pixel_ratio, bool moving) {
     Parts &p = *parts_;
     p.resize(width, height);
-    if (p.theme != look.theme || p.n != arrangement.pane.size()) {
+    std::vector<PixelRect> rects;
+    for (const WindowRect &pane : arrangement.pane)
+        rects.push_back(pixels(pane, pixel_ratio));
+    if (p.theme != look.theme || !std::ranges::equal(p.rects, rects, [](const auto &a, const auto &b) { return same(a, b); })) {
         p.theme = look.theme;
-        p.n = arrangement.pane.size();
+        p.rects = rects;
         p.clear();
     }
     p.clear_strip(pixels(arrangement.legend, pixel_ratio), height);
@@ -103,10 +107,10 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
             continue; // what was there stays until the new solution is ready
         const bool wrong = look.shading == Shading::error && look.error_range;
         const auto errors = wrong ? errors_of(state, strategies[i]) : nullptr;
-        if (wrong && !errors && p.shows_errors(i, pixels(arrangement.pane[i], pixel_ratio), state))
+        if (wrong && !errors && p.shows_errors(i, rects[i], state))
             continue; // until those of this step are measured
         const Shown now{
-            snapshot->version, errors, state.camera, look, pixels(arrangement.pane[i], pixel_ratio), moving};
+            snapshot->version, errors, state.camera, look, rects[i], moving};
         if (p.shown[i] && same(*p.shown[i], now) && (moving || !p.shown[i]->draft))
             continue;
         (moving ? *p.kept : *p.sampled).bind();
