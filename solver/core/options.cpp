@@ -1,6 +1,7 @@
 #include "core/options.h"
 
 #include <array>
+#include <cstddef>
 
 namespace penumbra {
 
@@ -12,6 +13,15 @@ constexpr std::array<Naming, 4> namings{{{"uniform-constant", "Uniform meshing, 
                                          {"discontinuity-constant", "Discontinuity meshing, constant basis"},
                                          {"uniform-wavelet", "Uniform meshing, multiwavelet basis"},
                                          {"discontinuity-wavelet", "Discontinuity meshing, multiwavelet basis"}}};
+
+/// The one of that name().
+template <class T, std::size_t n>
+std::optional<T> named(const T (&all)[n], std::string_view text) {
+    for (const T one : all)
+        if (name(one) == text)
+            return one;
+    return std::nullopt;
+}
 } // namespace
 
 std::string_view name(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].name; }
@@ -29,40 +39,20 @@ std::string_view title(Strategy strategy) { return namings[static_cast<std::size
 
 std::string_view name(CutChoice choice) { return choice == CutChoice::curves ? "curves" : "best"; }
 
-std::optional<CutChoice> cut_choice_from_name(std::string_view text) {
-    for (const CutChoice c : all_cut_choices)
-        if (name(c) == text)
-            return c;
-    return std::nullopt;
-}
+std::optional<CutChoice> cut_choice_from_name(std::string_view text) { return named(all_cut_choices, text); }
 
 std::string_view name(GatherOrder order) {
     return order == GatherOrder::jacobi ? "jacobi" : order == GatherOrder::gauss_seidel ? "gauss-seidel" : "southwell";
 }
 
-std::optional<GatherOrder> gather_order_from_name(std::string_view text) {
-    for (const GatherOrder o : all_gather_orders)
-        if (name(o) == text)
-            return o;
-    return std::nullopt;
-}
+std::optional<GatherOrder> gather_order_from_name(std::string_view text) { return named(all_gather_orders, text); }
 
 std::string_view name(Switch value) {
     return value == Switch::automatic ? "auto" : value == Switch::on ? "on" : "off";
 }
 
-std::optional<Switch> switch_from_name(std::string_view text) {
-    for (const Switch s : all_switches)
-        if (name(s) == text)
-            return s;
-    return std::nullopt;
-}
+std::optional<Switch> switch_from_name(std::string_view text) { return named(all_switches, text); }
 
-std::optional<Strategy> strategy_from_name(std::string_view text) {
-    for (const Strategy s : all_strategies)
-        if (name(s) == text)
-            return s;
-    return std::nullopt;
-}
+std::optional<Strategy> strategy_from_name(std::string_view text) { return named(all_strategies, text); }
 
 } // namespace penumbra

@@ -1,5 +1,6 @@
 #include "measure/direct.h"
 
+#include "basis/gauss.h"
 #include "core/parallel.h"
 #include "measure/cone_blockers.h"
 #include "transport/lambert.h"
@@ -65,27 +66,29 @@ double direct_error(const Scene &scene, const Blockers &blockers, const Forest &
                 root_area[leaf.at()] = forest[root].basis.area();
             });
     }
+    const GaussRule &rule = gauss_rule(4);
     std::vector<Sums> sums(leaves.size());
     parallel_for(leaves.size(), [&](std::size_t l) {
         const Element &e = forest[leaves[l]];
         const double share =
             std::sqrt(e.basis.area() / (root_area[leaves[l].at()] * static_cast<double>(e.basis.n_tiles())));
-        const int n_cells = std::max(2, static_cast<int>(std::ceil(80 * share))), n = 2 * n_cells;
-        // Gauss points of two a parameter in each cell: what a constant leaves of a slope is not underrated.
-        const auto along = [&](int i) { return (i / 2 + 0.5 + (i % 2 == 0 ? -1 : 1) / std::sqrt(12.0)) / n_cells; };
-        const auto b = radiosity.middleRows(e.first, e.basis.n_functions());
-        const auto add = [&](const QuadraturePoint &q) {
+        const int n_cells = std::max(2, static_cast<int>(std::ceil(40 * share)));
+        const auto own = radiosity.middleRows(e.first, e.basis.n_functions());
+        const auto add = [&](const QuadraturePoint &q, double weight) {
             if (is_covered(scene.surface(e.surface), q.position))
                 return;
             const Rgb exact = direct_radiosity(scene, blockers, e.surface, q.position);
-            const Rgb ours = (e.basis.evaluate(q).transpose() * b).transpose().array();
-            sums[l].error += q.area / (n * n) * (ours - exact).square().sum();
-            sums[l].reflected += q.area / (n * n) * (exact - scene.exitance(e.surface)).square().sum();
+            const Rgb ours = (e.basis.evaluate(q).transpose() * own).transpose().array();
+            sums[l].error += q.area * weight * (ours - exact).square().sum();
+            sums[l].reflected += q.area * weight * (exact - scene.exitance(e.surface)).square().sum();
         };
         for (std::size_t tile = 0; tile < e.basis.n_tiles(); ++tile)
-            for (int i = 0; i < n; ++i)
-                for (int j = 0; j < n; ++j)
-                    add(e.basis.at_parameters(tile, along(i), along(j)));
+            for (int i = 0; i < n_cells; ++i)
+                for (int j = 0; j < n_cells; ++j)
+                    for (std::size_t a = 0; a < rule.points.size(); ++a)
+                        for (std::size_t b = 0; b < rule.points.size(); ++b)
+                            add(e.basis.at_parameters(tile, (i + rule.points[a]) / n_cells, (j + rule.points[b]) / n_cells),
+                                rule.weights[a] * rule.weights[b] / (n_cells * n_cells));
     });
     Sums total;
     for (const Sums &s : sums) {

@@ -13,7 +13,7 @@ Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId su
 Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point);
 
 /// ||B_h - B|| / ||B - E|| in L2 over all reflecting surfaces and the three channels together, B the exact direct
-/// solution, at 2 x 2 Gauss points in each cell of a grid in every leaf (about 80 x 80 cells a surface part, at least 2 x 2 a
+/// solution, at 4 x 4 Gauss points in each cell of a grid in every leaf (about 40 x 40 cells a surface part, at least 2 x 2 a
 /// leaf), covered ones left out.
 double direct_error(const Scene &scene, const Blockers &blockers, const Forest &forest, const Coefficients &radiosity);
 
