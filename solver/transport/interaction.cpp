@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "transport/lambert.h"
+#include "transport/lit_points.h"
 #include "transport/point_transfer.h"
 #include "transport/proximity.h"
 #include "transport/receiver_points.h"
@@ -65,20 +66,8 @@ double form_factor_bound(const Transport &transport, const Element &p, SurfaceId
     std::vector<Vec2> points{centre};
     for (const Vec2 &corner : p.basis.outline())
         points.push_back(corner + 1e-3 * (centre - corner));
-    // A small source lights a large receiver most beneath it, or, standing upright on it or above it, in front of it: h d /
-    // (h^2 + d^2)^2 is largest at the distance d = h / sqrt(3).
-    const Vec2 ahead(s.frame.normal.dot(receiver.frame.u), s.frame.normal.dot(receiver.frame.v));
-    const auto beneath = [&](const Vec2 &y) {
-        const Vec3 at = s.frame.to_space(y);
-        const double away = std::max(0.05 * radius(s.outline), receiver.frame.height(at) / std::sqrt(3.0));
-        points.push_back(nearest_point(p.basis.outline(), receiver.frame.to_plane(at) + away * ahead));
-    };
-    for (std::size_t i = 0; i < s.outline.size(); ++i) {
-        beneath(s.outline[i]);
-        beneath((s.outline[i] + s.outline[(i + 1) % s.outline.size()]) / 2);
-    }
-    for (const Polygon &part : s.parts)
-        beneath(centroid(part));
+    const auto lit = lit_points(p, receiver, s);
+    points.insert(points.end(), lit.begin(), lit.end());
     ConvexPieces whole, front;
     for (const Polygon &part : s.parts)
         whole.add(part);
@@ -206,6 +195,13 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         std::vector<Vec2> tests = test_points(p.basis);
         const auto shadows = shadow_points(transport.scene, transport.blockers, p, from, out->blockers);
         tests.insert(tests.end(), shadows.begin(), shadows.end());
+        if (lights_a_spot(p, from, distance)) {
+            // Drawn in, as shadow points are.
+            const Vec2 centre = p.basis.centre();
+            for (const Vec2 &at : lit_points(p, to, from))
+                if (const Vec2 inside = at + 0.02 * (centre - at); from.frame.height(to.frame.to_space(inside)) > 0)
+                    tests.push_back(inside);
+        }
         std::erase_if(tests, [&](const Vec2 &at) { return is_covered(to, at); });
         const auto beside = contact_points(transport.scene, transport.blockers, p, out->blockers);
         tests.insert(tests.end(), beside.begin(), beside.end());
