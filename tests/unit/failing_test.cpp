@@ -267,7 +267,7 @@ private:
     std::thread thread_;
 };
 
-TEST_F(Failing, AFileThatIsWrittenToIsReadWholeOrRefused) {
+TEST_F(Failing, AFileThatIsWrittenToIsRefusedAndNeverMixed) {
     const fs::path file = work() / "text";
     const std::array texts{std::string(300'000, 'a'), std::string(300'000, 'b')};
     std::ofstream(file) << texts[0];
@@ -279,7 +279,8 @@ TEST_F(Failing, AFileThatIsWrittenToIsReadWholeOrRefused) {
         for (int i = 0; i < 400 || (n_refused == 0 && std::chrono::steady_clock::now() < end); ++i)
             try {
                 const std::string read = read_bytes(file, 1 << 20);
-                n_mixed += read != texts[0] && read != texts[1] && !read.empty();
+                // A writer that the system holds up leaves a beginning, at rest: nobody can tell that from a whole one.
+                n_mixed += !texts[0].starts_with(read) && !texts[1].starts_with(read);
             } catch (const BadInput &e) {
                 ++n_refused;
                 EXPECT_THAT(e.what(), HasSubstr("was written to while it was read; open it again when that is over"));
