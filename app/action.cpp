@@ -196,6 +196,10 @@ const std::vector<Action> &list() {
          [](const State &s) { return cuts_along_curves(s.active_strategy()); }},
         {"strategy.basis", Menu::strategy, "Multiwavelet basis", "A polynomial on each patch, or one value.", {"W"},
          flip_basis, nullptr, [](const State &s) { return !is_constant(s.active_strategy()); }},
+        {"strategy.reconstructed", Menu::strategy, "Constants as quadratics",
+         "Draws (a) or (b) as in 1993: quadratics through what the links bring to nodes of each patch, for the eye alone.",
+         {"Q"}, toggle_reconstruction, [](const State &s) { return is_constant(s.active_strategy()); },
+         [](const State &s) { return s.reconstructs(s.panes().active); }},
 
         {"view.single", Menu::view, "One pane", "The active strategy alone.", {"Ctrl+1"}, use_layout<Layout::single>,
          nullptr, uses_layout<Layout::single>},

@@ -39,6 +39,7 @@ constexpr int n_panes(Layout layout) { return layout == Layout::single ? 1 : lay
 struct PaneSet {
     std::array<Strategy, 4> strategies{};
     int active = 0; ///< the pane that strategy actions change and numbers are told of
+    std::array<bool, 4> reconstructed{}; ///< constants are drawn as quadratics (quadratic.h)
 };
 
 /// A sentence for the status bar; errors also stand over the panes until the next action.
@@ -129,6 +130,8 @@ struct AppState {
     double asked_tolerance = 0.01; ///< the last one, or what a solution is asked for when the tolerance is chosen
     std::uint64_t run = 1; ///< grows when scene or options change, which starts every solution anew
     std::array<Timeline, 4> timelines; ///< by strategy, of the present run
+    /// Constants drawn as quadratics, by the version of their own snapshot.
+    std::map<std::uint64_t, std::shared_ptr<const Snapshot>> reconstructions;
 
     PriceBook prices; ///< of the runs before the present one, on the same scene
     std::optional<double> tolerance_in_hand; ///< while its slider is moved
@@ -206,6 +209,31 @@ struct AppState {
     int shown_position() const { return std::clamp(position, 0, std::max(0, timeline(active_strategy()).last())); }
     /// Null before anything is known.
     std::shared_ptr<const Snapshot> snapshot(Strategy s) const { return timeline(s).at(position); }
+    bool reconstructs(int pane) const {
+        const auto i = static_cast<std::size_t>(pane);
+        return panes().reconstructed[i] && is_constant(panes().strategies[i]);
+    }
+    /// What a pane shows: its strategy's solution, or what was reconstructed from it, if that is wanted and there.
+    std::shared_ptr<const Snapshot> shown_snapshot(int pane) const {
+        const auto solution = snapshot(panes().strategies[static_cast<std::size_t>(pane)]);
+        if (!solution || !reconstructs(pane))
+            return solution;
+        const auto found = reconstructions.find(solution->version);
+        return found == reconstructions.end() ? solution : found->second;
+    }
+    /// Whether it shows constants until they are reconstructed.
+    bool awaits_reconstruction(int pane) const {
+        const auto shown = shown_snapshot(pane);
+        return shown && reconstructs(pane) && !shown->reconstructed && !halted;
+    }
+    /// What all panes show, without those of which nothing is known yet.
+    std::vector<std::shared_ptr<const Snapshot>> shown_snapshots() const {
+        std::vector<std::shared_ptr<const Snapshot>> all;
+        for (int pane = 0; pane < n_panes(layout); ++pane)
+            if (auto one = shown_snapshot(pane))
+                all.push_back(std::move(one));
+        return all;
+    }
 };
 
 } // namespace penumbra

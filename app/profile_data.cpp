@@ -18,7 +18,8 @@ ProfileData profile_frame(const Snapshot &snapshot, const ProfileLine &line) {
 }
 
 ProfileCurve profile_curve(const Snapshot &snapshot, const ProfileLine &line) {
-    return {snapshot.options.strategy, snapshot.options.effective_order(), profile(snapshot, line, n_profile_points)};
+    return {snapshot.options.strategy, snapshot.options.effective_order(), profile(snapshot, line, n_profile_points),
+            snapshot.reconstructed};
 }
 
 std::vector<double> break_places(const ProfileData &data) {

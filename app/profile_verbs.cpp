@@ -57,13 +57,10 @@ void update_profile(AppState &state) {
     ProfileMode &mode = state.profile;
     if (!mode.open || !mode.line)
         return;
-    std::vector<std::shared_ptr<const Snapshot>> solutions;
+    const std::vector<std::shared_ptr<const Snapshot>> solutions = state.shown_snapshots();
     std::vector<std::uint64_t> versions;
-    for (const Strategy s : state.shown())
-        if (auto snapshot = state.snapshot(s)) {
-            versions.push_back(snapshot->version);
-            solutions.push_back(std::move(snapshot));
-        }
+    for (const auto &snapshot : solutions)
+        versions.push_back(snapshot->version);
     if (solutions.empty() || (!mode.stale && versions == mode.versions))
         return;
     mode.data = profile_frame(*solutions.front(), *mode.line);

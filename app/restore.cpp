@@ -21,6 +21,8 @@ void restore_panes(AppState &state, const SavedState &saved) {
     PaneSet &panes = state.panes();
     const std::size_t n = std::min(saved.strategies.size(), panes.strategies.size());
     std::copy_n(saved.strategies.begin(), n, panes.strategies.begin());
+    panes.reconstructed.fill(false);
+    std::copy_n(saved.reconstructed.begin(), std::min(n, saved.reconstructed.size()), panes.reconstructed.begin());
     panes.active = std::min(saved.active, static_cast<int>(n) - 1);
 }
 

@@ -71,7 +71,10 @@ void SolveWorker::work(const std::stop_token &stop) {
             running_ = task;
             rested = false;
             lock.unlock();
-            advance(*task);
+            if (task->kind == Kind::advance)
+                advance(*task);
+            else
+                reconstruct(*task);
             lock.lock();
             running_.reset();
             cancel_.lower();
@@ -96,10 +99,23 @@ std::optional<SolveWorker::Task> SolveWorker::next_task() const {
         if (!done && (!next || position + 1 < next->position))
             next = Task{*goal_, strategy, position + 1};
     }
-    return next;
+    return next ? next : next_reconstruction();
+}
+
+std::optional<SolveWorker::Task> SolveWorker::next_reconstruction() const {
+    for (const Strategy strategy : goal_->reconstructed) {
+        const Course &course = courses_[static_cast<std::size_t>(strategy)];
+        const int position = std::min(goal_->position, static_cast<int>(course.moments.size()) - 1);
+        if (position >= 0 && !course.moments[static_cast<std::size_t>(position)].reconstructed)
+            return Task{*goal_, strategy, position, Kind::reconstruct};
+    }
+    return std::nullopt;
 }
 
 bool SolveWorker::still_wanted(const Task &task) const {
+    if (task.kind == Kind::reconstruct)
+        return goal_ && goal_->run == task.goal.run && goal_->position == task.goal.position &&
+               std::ranges::find(goal_->reconstructed, task.strategy) != goal_->reconstructed.end();
     return goal_ && goal_->run == task.goal.run && goal_->position >= task.position &&
            std::ranges::find(goal_->strategies, task.strategy) != goal_->strategies.end();
 }
@@ -124,11 +140,28 @@ void SolveWorker::advance(const Task &task) {
         const Counters &counters = course.solver->counters();
         course.ended = course.solver->phase() == Phase::pushed_pulled &&
                        (course.solver->ended() || counters.iteration >= task.goal.options.max_iterations);
-        report(Reached{task.goal.run, task.strategy, task.position, course.solver->snapshot(true), course.ended});
+        const auto snapshot = course.solver->snapshot(true);
+        if (is_constant(task.strategy))
+            course.moments.push_back({course.solver->state(), snapshot->version});
+        report(Reached{task.goal.run, task.strategy, task.position, snapshot, course.ended});
     } catch (const Cancelled &) {
         // The solver stands where it stood before the phase.
     } catch (const std::exception &e) {
         course.ended = true;
+        report(Failed{task.goal.run, task.strategy, e.what()});
+    }
+}
+
+void SolveWorker::reconstruct(const Task &task) {
+    Course &course = courses_[static_cast<std::size_t>(task.strategy)];
+    Moment &moment = course.moments[static_cast<std::size_t>(task.position)];
+    moment.reconstructed = true;
+    try {
+        report(Reconstructed{task.goal.run, moment.version,
+                             course.solver->reconstruction(*moment.state, true, &cancel_)});
+    } catch (const Cancelled &) {
+        moment.reconstructed = false;
+    } catch (const std::exception &e) {
         report(Failed{task.goal.run, task.strategy, e.what()});
     }
 }

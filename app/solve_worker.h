@@ -27,9 +27,11 @@ struct Goal {
     Options options;                  ///< of the run; its strategy is not looked at
     std::vector<Strategy> strategies; ///< those that are shown
     int position = 0;                 ///< phases from the start, see timeline.h
+    std::vector<Strategy> reconstructed{}; ///< those whose constants are drawn as quadratics there
 
     bool operator==(const Goal &o) const {
-        return run == o.run && scene == o.scene && strategies == o.strategies && position == o.position;
+        return run == o.run && scene == o.scene && strategies == o.strategies && position == o.position &&
+               reconstructed == o.reconstructed;
     }
 };
 
@@ -51,6 +53,11 @@ struct Reached { ///< a strategy stands at a new position
     std::shared_ptr<const Snapshot> snapshot;
     bool ended = false;
 };
+struct Reconstructed { ///< constants were made into quadratics
+    std::uint64_t run = 0;
+    std::uint64_t version = 0; ///< of the snapshot of the constants
+    std::shared_ptr<const Snapshot> snapshot;
+};
 struct Failed { ///< a strategy can't go on; one line
     std::uint64_t run = 0;
     Strategy strategy{};
@@ -58,7 +65,7 @@ struct Failed { ///< a strategy can't go on; one line
 };
 struct Stopped {}; ///< cancelled; what was complete stays
 struct Rested {};  ///< nothing left to do
-using Report = std::variant<Opened, Refused, Begun, Reached, Failed, Stopped, Rested>;
+using Report = std::variant<Opened, Refused, Begun, Reached, Reconstructed, Failed, Stopped, Rested>;
 
 class SolveWorker {
 public:
@@ -81,21 +88,31 @@ public:
     std::vector<Report> take_reports();
 
 private:
+    struct Moment { ///< what quadratics are made of
+        std::shared_ptr<const State> state;
+        std::uint64_t version = 0; ///< of its snapshot
+        bool reconstructed = false;
+    };
     struct Course { ///< one strategy's solver, made when first needed
         std::unique_ptr<Solver> solver;
         int position = -1; ///< of the solver; -1: not made yet
         bool ended = false;
+        std::vector<Moment> moments; ///< by position, where the basis is constant
     };
-    struct Task { ///< one phase of one strategy
+    enum class Kind { advance, reconstruct };
+    struct Task { ///< one phase of one strategy, or the quadratics at one position
         Goal goal;
         Strategy strategy{};
         int position = 0; ///< that it leads to; 0: make the solver
+        Kind kind = Kind::advance;
     };
 
     void work(const std::stop_token &stop);
     std::optional<Task> next_task() const;
     bool still_wanted(const Task &task) const;
+    std::optional<Task> next_reconstruction() const;
     void advance(const Task &task);
+    void reconstruct(const Task &task);
     void read(const std::string &name);
     void report(Report report);
 

@@ -51,16 +51,16 @@ TruthGoal truth_goal(const AppState &state) {
     if (!state.scene || state.truth.halted || !(errors || state.profile.open))
         return goal;
     goal.scene = state.scene;
-    for (const Strategy s : state.shown())
-        if (const auto snapshot = state.snapshot(s);
-            snapshot && errors && !state.truth.maps.contains(snapshot->version))
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (const auto snapshot = state.shown_snapshot(pane);
+            snapshot && errors && !state.awaits_reconstruction(pane) && !state.truth.maps.contains(snapshot->version))
             goal.solutions.push_back(snapshot);
     goal.profile = profile_question(state);
     return goal;
 }
 
-std::shared_ptr<const ErrorMap> errors_of(const AppState &state, Strategy strategy) {
-    const auto snapshot = state.snapshot(strategy);
+std::shared_ptr<const ErrorMap> errors_of(const AppState &state, int pane) {
+    const auto snapshot = state.shown_snapshot(pane);
     if (!snapshot)
         return nullptr;
     const auto found = state.truth.maps.find(snapshot->version);
@@ -73,9 +73,9 @@ void update_error_range(AppState &state) {
     std::vector<Judged> judged;
     std::vector<std::uint64_t> versions{static_cast<std::uint64_t>(state.look.error)};
     std::vector<std::shared_ptr<const void>> kept;
-    for (const Strategy s : state.shown()) {
-        const auto map = errors_of(state, s);
-        const auto snapshot = state.snapshot(s);
+    for (int pane = 0; pane < n_panes(state.layout); ++pane) {
+        const auto map = errors_of(state, pane);
+        const auto snapshot = state.shown_snapshot(pane);
         if (!map)
             return;
         judged.push_back({snapshot.get(), map.get()});

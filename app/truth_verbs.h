@@ -11,8 +11,8 @@ TruthGoal truth_goal(const AppState &state);
 /// Takes over what the worker says.
 void apply(AppState &state, const TruthReport &report);
 
-/// The map of what a strategy's pane shows; null: not known, or not of this step.
-std::shared_ptr<const ErrorMap> errors_of(const AppState &state, Strategy strategy);
+/// The map of what a pane shows; null: not known, or not of this step.
+std::shared_ptr<const ErrorMap> errors_of(const AppState &state, int pane);
 /// Equal in all panes: unless it is locked it follows what they show, as soon as all of it is known.
 void update_error_range(AppState &state);
 /// Shows this kind of error. The range of another kind is let go.

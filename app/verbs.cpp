@@ -59,6 +59,7 @@ void start_anew(AppState &state) {
     state.chosen_range.reset();
     state.halted = false;
     state.truth.maps.clear();
+    state.reconstructions.clear();
     state.truth.halted = false;
 }
 
@@ -121,6 +122,11 @@ void apply(AppState &state, const Reached &reached) {
     }
 }
 
+void apply(AppState &state, const Reconstructed &made) {
+    if (made.run == state.run)
+        state.reconstructions[made.version] = made.snapshot;
+}
+
 void apply(AppState &state, const Failed &failed) {
     if (failed.run != state.run)
         return;
@@ -147,7 +153,11 @@ void apply(AppState &state, const Rested &) { state.busy.reset(); }
 std::optional<Goal> goal(const AppState &state) {
     if (!state.scene || state.halted)
         return std::nullopt;
-    return Goal{state.run, state.scene, state.options, state.shown(), state.position};
+    Goal goal{state.run, state.scene, state.options, state.shown(), state.position};
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (state.reconstructs(pane))
+            goal.reconstructed.push_back(state.panes().strategies[static_cast<std::size_t>(pane)]);
+    return goal;
 }
 
 bool at_end(const AppState &state) { return all_ended(state) && state.position >= end_position(state); }
@@ -192,9 +202,20 @@ void set_options(AppState &state, const Options &options) {
 }
 
 void set_strategy(AppState &state, Strategy strategy) {
-    state.panes().strategies[static_cast<std::size_t>(state.panes().active)] = strategy;
+    const auto active = static_cast<std::size_t>(state.panes().active);
+    state.panes().strategies[active] = strategy;
+    state.panes().reconstructed[active] = false;
     state.halted = false;
     state.message = {std::string(title(strategy)) + ".", false};
+}
+
+void toggle_reconstruction(AppState &state) {
+    bool &on = state.panes().reconstructed[static_cast<std::size_t>(state.panes().active)];
+    on = !on;
+    state.halted = false;
+    state.message = {on ? "Quadratics, made for the eye from the solution of constants: as pictures were in 1993."
+                        : "The constants themselves.",
+                     false};
 }
 
 void set_layout(AppState &state, Layout layout) {

@@ -26,6 +26,8 @@ double advance_play(AppState &state, Clock::time_point now);
 void set_options(AppState &state, const Options &options);
 /// Shows this strategy in the active pane.
 void set_strategy(AppState &state, Strategy strategy);
+/// Draws the active pane's constants as quadratics, or as they are again.
+void toggle_reconstruction(AppState &state);
 void set_layout(AppState &state, Layout layout);
 void reset_view(AppState &state);
 void fit_view(AppState &state);

@@ -37,8 +37,14 @@ namespace penumbra {
 
 namespace {
 
+struct Pane {
+    Strategy strategy{};
+    bool as_quadratics = false; ///< its constants are drawn so
+    bool lettered = true;
+};
+
 struct RenderOptions {
-    std::vector<Strategy> panes; ///< side by side, labelled; empty: the one of --strategy
+    std::vector<Pane> panes; ///< side by side, labelled; empty: the one of --strategy
     std::optional<int> steps;    ///< none: to `position`
     std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
     bool priced = true;          ///< two panes have a sentence on what they took
@@ -55,8 +61,13 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
     solving.options = state.options;
     solving.options.threads = threads;
     const SavedPicture picture = state.picture.value_or(SavedPicture{.lettered = true});
-    if (picture.lettered || state.strategies.size() > 1)
-        options.panes = state.strategies;
+    if (const bool lettered = picture.lettered || state.strategies.size() > 1;
+        lettered || std::ranges::count(state.reconstructed, true) > 0) {
+        options.panes.clear();
+        for (std::size_t i = 0; i < state.strategies.size(); ++i)
+            options.panes.push_back(
+                {state.strategies[i], i < state.reconstructed.size() && state.reconstructed[i], lettered});
+    }
     options.priced = picture.priced;
     options.legend = state.legend;
     if (!state.converged)
@@ -124,12 +135,17 @@ std::string tag_of(Strategy strategy) { return std::string("(") + "abcd"[static_
 
 void set_panes(RenderOptions &options, const std::string &text) {
     options.panes.clear();
-    for (std::size_t i = 0;; i += 2) { // a strategy, then a comma or the end
+    for (std::size_t i = 0;; ++i) { // a strategy, perhaps a q, then a comma or the end
         const std::size_t which = i < text.size() ? std::string_view("abcd").find(text[i]) : std::string_view::npos;
-        const bool goes_on = i + 1 < text.size();
-        if (which == std::string_view::npos || (goes_on && text[i + 1] != ','))
-            throw CLI::ValidationError("--panes", "'" + text + "' is not a list of a, b, c, d with commas between");
-        options.panes.push_back(all_strategies[which]);
+        ++i;
+        const bool as_quadratics = i < text.size() && text[i] == 'q';
+        i += as_quadratics;
+        const bool goes_on = i < text.size();
+        if (which == std::string_view::npos || (goes_on && text[i] != ',') ||
+            (as_quadratics && !is_constant(all_strategies[which])))
+            throw CLI::ValidationError("--panes",
+                                       "'" + text + "' is not a list of a, aq, b, bq, c, d with commas between");
+        options.panes.push_back({.strategy = all_strategies[which], .as_quadratics = as_quadratics});
         if (!goes_on)
             return;
     }
@@ -234,9 +250,10 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     bool converged = true;
     std::string out_of_reach; // why, where a solution cannot come to the tolerance
     double tracing = 0;
-    for (const Strategy strategy : options.panes.empty() ? std::vector{solving.options.strategy} : options.panes) {
+    for (const Pane &pane :
+         options.panes.empty() ? std::vector{Pane{solving.options.strategy, false, false}} : options.panes) {
         Options o = solving.options;
-        o.strategy = strategy;
+        o.strategy = pane.strategy;
         try {
             const auto start = std::chrono::steady_clock::now();
             Solver solver(scene, o, &interrupt.cancel());
@@ -244,8 +261,11 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
             Progress progress(o, common.quiet, common.verbose);
             go(solver, options, interrupt.cancel(), progress);
             converged &= solver.converged();
-            const std::string tag = options.panes.empty() ? "" : tag_of(strategy);
-            spec.panes.push_back({solver.snapshot(interrupt.exit_status() == done), tag});
+            const bool with_error = interrupt.exit_status() == done;
+            spec.panes.push_back({pane.as_quadratics
+                                      ? solver.reconstruction(*solver.state(), with_error, &interrupt.cancel())
+                                      : solver.snapshot(with_error),
+                                  pane.lettered ? tag_of(pane.strategy) : ""});
             if (solver.counters().exhausted)
                 out_of_reach = spec.panes.back().snapshot->sentence;
         } catch (const Cancelled &) { // while the curves were made: there is nothing to draw
@@ -255,7 +275,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     }
     const Snapshot &first = *spec.panes.front().snapshot;
     choose_curves(options, first, spec.look);
-    if (options.panes.size() == 2 && options.priced)
+    if (options.panes.size() == 2 && options.priced && !options.panes[0].as_quadratics && !options.panes[1].as_quadratics)
         spec.caption = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
     if (options.look.keyhole)
         spec.keyhole = look_from(scene, *options.look.keyhole, options.keyhole_field);
@@ -311,13 +331,15 @@ Command add_render(CLI::App &root) {
             [options](const std::string &text) {
                 options->panes.clear();
                 if (text == "compare")
-                    options->panes.assign(std::begin(all_strategies), std::end(all_strategies));
+                    for (const Strategy s : all_strategies)
+                        options->panes.push_back({.strategy = s});
             },
             "single (default), or compare: the four strategies, labelled")
         ->check(CLI::IsMember({"single", "compare"}));
     parser->add_option_function<std::string>(
         "--panes", [options](const std::string &text) { set_panes(*options, text); },
-        "These strategies side by side, of a, b, c, d with commas between; two of them with a sentence on their price");
+        "These strategies side by side, of a, b, c, d with commas between; two of them with a sentence on their price. aq "
+        "and bq draw the constants as quadratics made for the eye, as in 1993");
     parser->add_option("--steps", options->steps, "Steps to do; to the fixed point unless given")
         ->check(CLI::Range(0, 1'000'000));
     add_look_options(*parser, options->look);

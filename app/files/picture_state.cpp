@@ -22,6 +22,7 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
     for (const PicturePane &pane : spec.panes) {
         const Snapshot &snapshot = *pane.snapshot;
         saved.strategies.push_back(snapshot.options.strategy);
+        saved.reconstructed.push_back(snapshot.reconstructed);
         saved.position = std::max(saved.position, position_of(snapshot.counters.iteration, snapshot.phase));
         saved.converged &= snapshot.counters.converged;
     }

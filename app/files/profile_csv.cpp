@@ -22,7 +22,8 @@ std::string profile_csv(const ProfileLine &line, const ProfileData &data) {
     for (const ProfileCurve &curve : data.curves)
         for (std::size_t i = 0; i < curve.pieces.size(); ++i)
             for (const ProfilePoint &p : curve.pieces[i].points)
-                csv += row(name(curve.strategy), line, p, std::to_string(i));
+                csv += row(std::string(name(curve.strategy)) + (curve.reconstructed ? " as quadratics" : ""), line, p,
+                           std::to_string(i));
     return csv;
 }
 

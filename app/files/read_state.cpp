@@ -92,6 +92,17 @@ void read_strategies(const JsonValue &list, SavedState &state) {
         state.strategies.push_back(named(list.at(i), strategy_from_name, strategy_choices));
 }
 
+void read_reconstructed(const JsonValue &list, SavedState &state) {
+    if (const std::size_t n = list.size(); n > state.strategies.size())
+        list.fail(fmt::format("has {} flags; give one for each of the {} strategies", n, state.strategies.size()));
+    state.reconstructed.clear();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        state.reconstructed.push_back(list.at(i).boolean());
+        if (state.reconstructed.back() && !is_constant(state.strategies[i]))
+            list.at(i).fail("is true for a strategy without constants");
+    }
+}
+
 /// States before `position` have the iteration and the phase alone.
 int read_position(const JsonValue &root) {
     int position = 0, iteration = 0;
@@ -263,6 +274,8 @@ SavedState read_state(const std::string &file, std::string_view text) {
         state.options = read_options(*options);
     if (const auto strategies = root.known("strategies"))
         read_strategies(*strategies, state);
+    if (const auto reconstructed = root.known("reconstructed"))
+        read_reconstructed(*reconstructed, state);
     read_whole(root, "active", 0, static_cast<int>(state.strategies.size()) - 1, state.active);
     state.options.strategy = state.strategies[static_cast<std::size_t>(state.active)];
     state.position = read_position(root);

@@ -31,6 +31,7 @@ struct SavedState {
     std::optional<char> up = {}; ///< the scene's up axis: x, y, z; none: the format's own
     Options options = {};        ///< the strategy is the active pane's; threads are not kept
     std::vector<Strategy> strategies = {Strategy::discontinuity_wavelet}; ///< of the panes, row by row
+    std::vector<bool> reconstructed = {}; ///< by pane: constants are drawn as quadratics; empty: none is
     int active = 0;                                                       ///< pane
     int position = 0;                                                     ///< see timeline.h
     bool converged = false;                                               ///< every pane stands at its fixed point

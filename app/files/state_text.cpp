@@ -45,9 +45,12 @@ std::string_view name(Inspector inspector) {
 /// Errors that are not known are negative.
 Json known(double error) { return error >= 0 ? Json(error) : Json(); }
 
-Json pane(const AppState &s, Strategy strategy) {
-    Json j{{"strategy", name(strategy)}};
-    if (const auto snapshot = s.snapshot(strategy)) {
+Json pane(const AppState &s, int pane) {
+    const Strategy strategy = s.panes().strategies[static_cast<std::size_t>(pane)];
+    Json j{{"strategy", name(strategy)}, {"computed", s.timeline(strategy).last()}};
+    if (const auto snapshot = s.shown_snapshot(pane)) {
+        j["reconstructed"] = snapshot->reconstructed;
+        j["direct_error"] = known(snapshot->error);
         j["iteration"] = snapshot->counters.iteration;
         j["phase"] = name(snapshot->phase);
         j["patches"] = snapshot->counters.patches;
@@ -58,7 +61,6 @@ Json pane(const AppState &s, Strategy strategy) {
         j["estimated_error"] = known(snapshot->counters.estimated_error);
         j["error_bound"] = known(snapshot->counters.error_bound);
         j["version"] = snapshot->version;
-        j["computed"] = s.timeline(strategy).last();
         const auto map = s.truth.maps.find(snapshot->version);
         j["error"] = map != s.truth.maps.end() ? Json(map->second->error()) : Json();
     }
@@ -129,6 +131,8 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
     saved.options = s.options;
     saved.options.strategy = s.active_strategy();
     saved.strategies = s.shown();
+    for (int pane = 0; pane < n_panes(s.layout); ++pane)
+        saved.reconstructed.push_back(s.reconstructs(pane));
     saved.active = s.panes().active;
     saved.position = shown_position(s);
     saved.converged = all_converged(s);
@@ -152,10 +156,13 @@ std::string observed_state_text(const AppState &s) {
     j["iteration"] = iteration_of(s.position);
     j["phase"] = name(phase_of(s.position));
     j["panes"] = Json::array();
-    for (const Strategy strategy : s.shown())
-        j["panes"].push_back(pane(s, strategy));
+    bool awaits = false;
+    for (int i = 0; i < n_panes(s.layout); ++i) {
+        j["panes"].push_back(pane(s, i));
+        awaits |= s.awaits_reconstruction(i);
+    }
     j["run"] = s.run;
-    j["busy"] = s.busy.has_value() || s.truth.busy;
+    j["busy"] = s.busy.has_value() || s.truth.busy || awaits;
     j["judging"] = {
         {"busy", s.truth.busy}, {"doing", s.truth.doing}, {"halted", s.truth.halted}, {"truth_error", s.truth.error}};
     j["profiling"] = profile(s.profile);

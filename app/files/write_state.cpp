@@ -41,6 +41,9 @@ Json state_json(const SavedState &s) {
     Json strategies = Json::array();
     for (const Strategy strategy : s.strategies)
         strategies.push_back(name(strategy));
+    Json reconstructed = Json::array();
+    for (std::size_t i = 0; i < s.strategies.size(); ++i)
+        reconstructed.push_back(i < s.reconstructed.size() && s.reconstructed[i]);
     Json j;
     j["format"] = state_format;
     j["written_by"] = "penumbra " PENUMBRA_VERSION;
@@ -54,6 +57,7 @@ Json state_json(const SavedState &s) {
     j["converged"] = s.converged;
     j["layout"] = s.strategies.size() == 1 ? "single" : s.strategies.size() == 2 ? "two" : "four";
     j["strategies"] = strategies;
+    j["reconstructed"] = reconstructed;
     j["active"] = s.active;
     j["camera"] = s.camera ? camera(*s.camera) : Json();
     j["layers"] = {{"mesh", look.layers.mesh},

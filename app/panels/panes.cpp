@@ -168,7 +168,7 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const ImGuiIO &io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
     const double aspect = static_cast<double>(rect.width / rect.height);
-    const auto snapshot = state.snapshot(state.panes().strategies[static_cast<std::size_t>(pane)]);
+    const auto snapshot = state.shown_snapshot(pane);
     const FramePoint at = frame_point(rect, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (ImGui::IsItemActivated())
         begin_drag(state, point_under(state, snapshot.get(), aspect, at), pane);
@@ -206,8 +206,8 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
 }
 
 /// Of error pictures; others tell the snapshot's own error.
-std::shared_ptr<const ErrorMap> shown_errors(const AppState &state, Strategy strategy) {
-    return state.look.shading == Shading::error ? errors_of(state, strategy) : nullptr;
+std::shared_ptr<const ErrorMap> shown_errors(const AppState &state, int pane) {
+    return state.look.shading == Shading::error ? errors_of(state, pane) : nullptr;
 }
 
 /// Returns its height.
@@ -216,16 +216,20 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
     const ImVec2 low{rect.x, rect.y}, high{rect.x + rect.width, rect.y + rect.height};
     const std::string tag = std::string("(") + letter(strategy) + ")";
     float height = 0;
-    if (const auto snapshot = state.snapshot(strategy))
-        height = draw_pane_label(list, fonts, low, high,
-                                 pane_label(*snapshot, tag, shown_errors(state, strategy).get()), state.look.theme);
+    const auto snapshot = state.shown_snapshot(pane);
+    const auto note = [&](const std::string &text) {
+        list.AddText({low.x + em(0.6f), low.y + height + em(0.3f)}, ImGui::GetColorU32(ImGuiCol_CheckMark), text.c_str());
+    };
+    if (snapshot)
+        height = draw_pane_label(list, fonts, low, high, pane_label(*snapshot, tag, shown_errors(state, pane).get()),
+                                 state.look.theme);
     else if (state.scene)
         list.AddText({low.x + em(0.8f), low.y + em(0.6f)}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                      (tag + " finding the discontinuity curves…").c_str());
-    if (state.look.shading == Shading::error && state.snapshot(strategy) && !errors_of(state, strategy))
-        list.AddText(
-            {low.x + em(0.6f), low.y + height + em(0.3f)}, ImGui::GetColorU32(ImGuiCol_CheckMark),
-            (state.truth.halted ? std::string("the error was not measured") : state.truth.doing + "\u2026").c_str());
+    if (state.awaits_reconstruction(pane))
+        note("making quadratics\u2026");
+    else if (state.look.shading == Shading::error && snapshot && !errors_of(state, pane))
+        note(state.truth.halted ? "the error was not measured" : state.truth.doing + "\u2026");
     if (state.layout != Layout::single && pane == state.panes().active && !state.panels_hidden)
         list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
     return height;
@@ -246,13 +250,10 @@ void draw_pinned(const AppState &state, ImDrawList &list, const Fonts &fonts, co
 /// `below`: height of the label of the pane that the scale stands in.
 void draw_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, const Arrangement &arrangement,
                   float below) {
+    const std::vector<std::shared_ptr<const Snapshot>> kept = state.shown_snapshots();
     std::vector<const Snapshot *> snapshots;
-    std::vector<std::shared_ptr<const Snapshot>> kept;
-    for (const Strategy s : state.shown())
-        if (auto snapshot = state.snapshot(s)) {
-            snapshots.push_back(snapshot.get());
-            kept.push_back(std::move(snapshot));
-        }
+    for (const auto &snapshot : kept)
+        snapshots.push_back(snapshot.get());
     if (snapshots.empty() || arrangement.legend.height <= 0)
         return;
     const Range range = state.look.range.value_or(common_range(snapshots));

@@ -84,7 +84,7 @@ void draw_accuracy(const Snapshot &snapshot) {
 void draw_figures(const AppState &state) {
     const Strategy strategy = state.active_strategy();
     heading((std::string("Pane (") + letter(strategy) + ")").c_str());
-    const auto snapshot = state.snapshot(strategy);
+    const auto snapshot = state.shown_snapshot(state.panes().active);
     if (!snapshot) {
         ImGui::TextDisabled("preparing…");
         return;
@@ -111,7 +111,7 @@ void draw_figures(const AppState &state) {
 
 void draw_cursor(const AppState &state) {
     heading("Under the cursor");
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.shown_snapshot(state.panes().active);
     if (!state.under_cursor || !snapshot ||
         state.under_cursor->surface >= static_cast<int>(snapshot->surfaces.size())) {
         ImGui::TextDisabled("point at a surface");
@@ -123,7 +123,7 @@ void draw_cursor(const AppState &state) {
     if (pick.patch >= 0)
         figure("patch", count_words(pick.patch));
     figure("radiosity", rgb_words(pick.radiosity) + " W/m²", "Red, green, blue; one number where they are equal.");
-    if (const auto errors = errors_of(state, state.active_strategy());
+    if (const auto errors = errors_of(state, state.panes().active);
         errors && pick.patch >= 0 && state.look.shading == Shading::error) {
         const auto patch = static_cast<std::size_t>(pick.patch);
         figure("its part of the error", number_words(100 * errors->share(patch)) + " %",

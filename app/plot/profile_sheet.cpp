@@ -33,8 +33,19 @@ struct Pen {
         return {em, colour, align, bold};
     }
     PlotStroke truth() const { return {ink(0.3f), 0.34f * em}; }
-    PlotStroke stroke(const ProfileCurve &c) const { return {strategy_colour(c.strategy, look.theme), 0.11f * em}; }
+    PlotStroke stroke(const ProfileCurve &c) const {
+        return {strategy_colour(c.strategy, look.theme), 0.11f * em, c.reconstructed ? 0.5f * em : 0};
+    }
 };
+
+std::string long_name(const ProfileCurve &c) {
+    return strategy_label(c.strategy, c.order) + (c.reconstructed ? " as quadratics" : "");
+}
+
+/// "(b)", or "(bq)" as the command line has it.
+std::string short_name(const ProfileCurve &c) {
+    return strategy_label(c.strategy, c.order).substr(0, 2) + (c.reconstructed ? "q)" : ")");
+}
 
 enum class Shown { value, slope };
 double number(const ProfilePoint &p, Shown what) { return channel_mean(what == Shown::value ? p.radiosity : p.slope); }
@@ -107,7 +118,8 @@ LinearAxis slope_axis(const ProfileData &data) {
 void draw_borders(const Pen &pen, const Page &page, float top, float row) {
     for (std::size_t i = 0; i < pen.data.curves.size(); ++i) {
         const ProfileCurve &curve = pen.data.curves[i];
-        const PlotStroke stroke = pen.stroke(curve);
+        PlotStroke stroke = pen.stroke(curve);
+        stroke.dash = 0;
         const float y = top + static_cast<float>(i) * row;
         pen.canvas.line({page.box.low.x, y + row / 2}, {page.box.high.x, y + row / 2},
                         {pen.ink(0.12f), 0.05f * pen.em});
@@ -119,7 +131,7 @@ void draw_borders(const Pen &pen, const Page &page, float top, float row) {
             tick(piece.low);
             tick(piece.high);
         }
-        const std::string letter = strategy_label(curve.strategy, curve.order).substr(0, 3);
+        const std::string letter = short_name(curve);
         PlotText words = pen.words(stroke.colour, TextAlign::right, true);
         words.size = std::min(pen.em, 1.1f * row);
         pen.canvas.text({page.box.low.x - 0.5f * pen.em, y + row / 2}, letter, words);
@@ -141,7 +153,7 @@ float draw_names(const Pen &pen, glm::vec2 corner, float width) {
     if (!pen.data.exact.empty())
         names.push_back({truth_name(pen.data), pen.truth(), false});
     for (const ProfileCurve &c : pen.data.curves)
-        names.push_back({strategy_label(c.strategy, c.order), pen.stroke(c), true});
+        names.push_back({long_name(c), pen.stroke(c), true});
     if (!pen.data.crossings.empty())
         names.push_back({"discontinuity curves",
                          {curve_rgba(pen.data.crossings.front().kind), 0.08f * pen.em,
@@ -176,7 +188,7 @@ void draw_figures(const Pen &pen, const Page &page, double cursor) {
     for (const ProfileCurve &c : pen.data.curves)
         if (const auto p = point_at(c, cursor)) {
             std::string text =
-                fmt::format("{} {:.4g}", strategy_label(c.strategy, c.order).substr(0, 3), number(*p, Shown::value));
+                fmt::format("{} {:.4g}", short_name(c), number(*p, Shown::value));
             if (truth)
                 text += fmt::format(" ({:+.2g})", number(*p, Shown::value) - number(*truth, Shown::value));
             rows.push_back({text + fmt::format(", slope {:.3g}", number(*p, Shown::slope)), pen.stroke(c).colour});

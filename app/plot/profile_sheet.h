@@ -18,6 +18,7 @@ struct ProfileCurve {
     Strategy strategy{};
     int order = 4;
     std::vector<ProfilePiece> pieces;
+    bool reconstructed = false; ///< constants, drawn as quadratics
 };
 
 /// Where a discontinuity curve crosses it.

@@ -19,16 +19,21 @@ float width_of(const ImFont *font, float size, const std::string &text) {
     return font->CalcTextSizeA(size, 1e9f, 0, text.c_str()).x;
 }
 
-/// Joins with middle dots, as many on a line as fit.
-std::vector<std::string> in_lines(const Fonts &fonts, float width, const std::vector<std::string> &items) {
+/// The figures joined with middle dots, as many on a line as fit; then the time, which has the same room whatever it is,
+/// so that a picture that is made again is laid out as it was.
+std::vector<std::string> in_lines(const Fonts &fonts, float width, const PaneLabel &label) {
     std::vector<std::string> lines;
-    for (const std::string &item : items) {
-        const std::string longer = lines.empty() ? item : lines.back() + "  \u00b7  " + item;
-        if (!lines.empty() && width_of(fonts.text, fonts.size, longer) <= width)
-            lines.back() = longer;
+    const auto add = [&](const std::string &item, const std::string &room) {
+        const std::string dot = "  \u00b7  ";
+        if (!lines.empty() && width_of(fonts.text, fonts.size, lines.back() + dot + room) <= width)
+            lines.back() += dot + item;
         else
             lines.push_back(item);
-    }
+    };
+    for (const std::string &item : label.figures)
+        add(item, item);
+    if (!label.time.empty())
+        add(label.time, "0.00000 ms");
     return lines;
 }
 
@@ -80,6 +85,8 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const Err
     label.title = (tag.empty() ? "" : tag + " ") + std::string(title(snapshot.options.strategy));
     if (!is_constant(snapshot.options.strategy))
         label.title += ", M = " + std::to_string(snapshot.options.order);
+    if (snapshot.reconstructed)
+        label.title += ", as quadratics (1993)";
     if (snapshot.options.basis == BasisFamily::planar)
         label.title += ", on polygons";
     label.figures = {counted(c.patches, "patch", "patches"), counted(c.coefficients, "coefficient", "coefficients")};
@@ -91,7 +98,7 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const Err
     if (errors && errors->truth_error > 0)
         label.figures.push_back("reference good to " + three_digits(100 * errors->truth_error) + " %");
     if (c.iteration > 0 || c.seconds > 0)
-        label.figures.push_back(c.seconds < 0.1 ? three_digits(1000 * c.seconds) + " ms" : three_digits(c.seconds) + " s");
+        label.time = c.seconds < 0.1 ? three_digits(1000 * c.seconds) + " ms" : three_digits(c.seconds) + " s";
     label.footnote = snapshot.scene + ", ";
     if (c.iteration == 0)
         label.footnote += "before the first step";
@@ -103,7 +110,7 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const Err
 }
 
 float pane_label_height(const Fonts &fonts, float width, const PaneLabel &label) {
-    const auto n = in_lines(fonts, width - 2 * padding * fonts.size, label.figures).size();
+    const auto n = in_lines(fonts, width - 2 * padding * fonts.size, label).size();
     return fonts.size * (padding + line_height * static_cast<float>(n + 1) + 0.2f);
 }
 
@@ -115,7 +122,7 @@ float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 h
     float y = low.y + padding * em;
     list.PushClipRect(low, high, true);
     list.AddText(fonts.bold, title_size, {x, y}, ink(theme), label.title.c_str());
-    for (const std::string &line : in_lines(fonts, width, label.figures)) {
+    for (const std::string &line : in_lines(fonts, width, label)) {
         y += line_height * em;
         list.AddText(fonts.text, em, {x, y}, ink(theme), line.c_str());
     }

@@ -24,7 +24,8 @@ Fonts load_fonts(float size);
 
 struct PaneLabel {
     std::string title;                ///< strategy in words: "Discontinuity meshing, order 4"
-    std::vector<std::string> figures; ///< "3 patches", "48 coefficients", "error 0.12 %", "0.31 s"; unknown ones left out
+    std::vector<std::string> figures; ///< "3 patches", "48 coefficients", "error 0.12 %"; unknown ones left out
+    std::string time;                 ///< "0.31 s"; empty: nothing was done yet
     std::string footnote;             ///< scene, step and phase
 };
 /// `tag` as "(a)" goes before the title. With a map the error is the map's, and the truth's own is told beside it.

@@ -17,6 +17,7 @@ constexpr int samples = 4; // what llvmpipe offers at most, at twice the time of
 /// All that a pane's picture depends on.
 struct Shown {
     std::uint64_t version = 0;
+    bool reconstructed = false;
     std::shared_ptr<const ErrorMap> errors; ///< null: the light is shown
     Camera camera;
     Look look;
@@ -99,18 +100,20 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
     }
     p.clear_strip(pixels(arrangement.legend, pixel_ratio), height);
     int drawn = 0;
-    const auto strategies = state.shown();
     // A panel may have changed the layout in this frame; it is arranged in the next.
-    for (std::size_t i = 0; i < std::min(strategies.size(), arrangement.pane.size()); ++i) {
-        const auto snapshot = state.snapshot(strategies[i]);
+    for (std::size_t i = 0; i < std::min<std::size_t>(n_panes(state.layout), arrangement.pane.size()); ++i) {
+        const int pane = static_cast<int>(i);
+        const auto snapshot = state.shown_snapshot(pane);
         if (!snapshot)
             continue; // what was there stays until the new solution is ready
+        if (state.awaits_reconstruction(pane) && p.shown[i] && p.shown[i]->reconstructed)
+            continue;
         const bool wrong = look.shading == Shading::error && look.error_range;
-        const auto errors = wrong ? errors_of(state, strategies[i]) : nullptr;
+        const auto errors = wrong ? errors_of(state, pane) : nullptr;
         if (wrong && !errors && p.shows_errors(i, rects[i], state))
             continue; // until those of this step are measured
         const Shown now{
-            snapshot->version, errors, state.camera, look, rects[i], moving};
+            snapshot->version, snapshot->reconstructed, errors, state.camera, look, rects[i], moving};
         if (p.shown[i] && same(*p.shown[i], now) && (moving || !p.shown[i]->draft))
             continue;
         (moving ? *p.kept : *p.sampled).bind();

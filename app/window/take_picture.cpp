@@ -26,8 +26,11 @@ PictureSpec panes_spec(const AppState &state, int width, int height) {
     spec.width = static_cast<int>(std::lround(scale * width));
     spec.height = static_cast<int>(std::lround(scale * height));
     spec.columns = state.layout == Layout::single ? 1 : 2;
-    for (const Strategy s : state.shown())
-        spec.panes.push_back({state.snapshot(s), std::string("(") + letter(s) + ")", errors_of(state, s)});
+    const std::vector<Strategy> shown = state.shown();
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        spec.panes.push_back({state.shown_snapshot(pane),
+                              std::string("(") + letter(shown[static_cast<std::size_t>(pane)]) + ")",
+                              errors_of(state, pane)});
     spec.camera = state.camera;
     spec.look = state.look;
     spec.look.emphasise_fresh = false;

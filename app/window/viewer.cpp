@@ -304,13 +304,10 @@ void Viewer::draw_frame() {
 }
 
 float Viewer::legend_height(float width) const {
-    std::vector<std::shared_ptr<const Snapshot>> kept;
+    const std::vector<std::shared_ptr<const Snapshot>> kept = state_.shown_snapshots();
     std::vector<const Snapshot *> snapshots;
-    for (const Strategy s : state_.shown())
-        if (auto snapshot = state_.snapshot(s)) {
-            snapshots.push_back(snapshot.get());
-            kept.push_back(std::move(snapshot));
-        }
+    for (const auto &snapshot : kept)
+        snapshots.push_back(snapshot.get());
     return line_legend_size(fonts_, width, state_.look, snapshots).y;
 }
 

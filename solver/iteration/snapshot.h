@@ -103,6 +103,7 @@ struct Snapshot {
     std::vector<SnapshotLink> links;
     double peak = 0;                    ///< largest reflected radiosity B - E, largest channel [W/m2]
     double error = -1;                  ///< relative L2 error against the exact direct solution; negative: not known
+    bool reconstructed = false;         ///< patches hold quadratics made for the eye (quadratic.h), not the solution's constants
     std::string sentence;               ///< what the last phase did, in words
 };
 

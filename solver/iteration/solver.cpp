@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "iteration/known_curves.h"
 #include "iteration/state.h"
+#include "iteration/quadratic.h"
 #include "iteration/take_snapshot.h"
 #include "iteration/tolerance_control.h"
 #include "measure/direct.h"
@@ -157,6 +158,15 @@ std::shared_ptr<const Snapshot> Solver::snapshot(bool with_error) const {
     auto snapshot = take_snapshot(parts_->setting, *parts_->state);
     if (with_error && has_one_bounce(scene()))
         snapshot->error = direct_error(scene(), *parts_->setting.blockers, parts_->state->forest, parts_->state->radiosity);
+    return snapshot;
+}
+
+std::shared_ptr<const Snapshot> Solver::reconstruction(const State &state, bool with_error,
+                                                       const Cancel *cancel) const {
+    const QuadraticField field = reconstruct(parts_->setting, state, cancel);
+    auto snapshot = take_snapshot(parts_->setting, state, field);
+    if (with_error && has_one_bounce(scene()))
+        snapshot->error = direct_error(scene(), *parts_->setting.blockers, field.forest, field.radiosity);
     return snapshot;
 }
 

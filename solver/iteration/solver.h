@@ -43,6 +43,10 @@ public:
     /// Everything about the present state. `with_error` adds the error against the exact direct solution where the
     /// scene has one bounce (no time of it is counted).
     std::shared_ptr<const Snapshot> snapshot(bool with_error = false) const;
+    /// A state of this solver, whose basis is constant, drawn as the quadratics of quadratic.h; figures are the solution's
+    /// but for the error, which is the quadratics' own.
+    std::shared_ptr<const Snapshot> reconstruction(const State &state, bool with_error = false,
+                                                   const Cancel *cancel = nullptr) const;
     const Scene &scene() const;
     const Options &options() const;
 

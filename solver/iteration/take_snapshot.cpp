@@ -1,5 +1,7 @@
 #include "iteration/take_snapshot.h"
 
+#include "iteration/quadratic.h"
+
 #include "iteration/critical_surface.h"
 
 #include <atomic>
@@ -83,6 +85,17 @@ std::vector<double> missed_squares(const Scene &scene, const State &state) {
     return missed;
 }
 
+/// A leaf's polynomial, at the end of the coefficients.
+void add_polynomial(const Element &leaf, const Coefficients &radiosity, SnapshotPatch &patch,
+                    std::vector<Rgb> &coefficients) {
+    patch.order = leaf.basis.order();
+    patch.first = static_cast<std::int32_t>(coefficients.size());
+    const Eigen::MatrixX3d products =
+        leaf.basis.product_coefficients(radiosity.middleRows(leaf.first, leaf.basis.n_functions()));
+    for (const auto &row : products.rowwise())
+        coefficients.push_back(row.transpose().array());
+}
+
 int link_kind(PairKind kind) { return kind == PairKind::clear ? 0 : kind == PairKind::near ? 1 : 2; }
 
 } // namespace
@@ -115,8 +128,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
             continue;
         SnapshotPatch patch;
         patch.surface = e.surface.index;
-        patch.order = e.basis.order();
-        patch.first = static_cast<std::int32_t>(out->coefficients.size());
+        add_polynomial(e, state.radiosity, patch, out->coefficients);
         add_shape(e, scene.own.size, patch);
         patch.depth = static_cast<float>(e.depth());
         patch.fresh = e.born > 0 && e.born == state.counters.iteration;
@@ -124,12 +136,22 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
         patch.place = places[i];
         if (missed[i] >= 0)
             patch.estimate = scene.own.size * std::sqrt(missed[i] * e.basis.area());
-        const Eigen::MatrixX3d products =
-            e.basis.product_coefficients(state.radiosity.middleRows(e.first, e.basis.n_functions()));
-        for (const auto &row : products.rowwise())
-            out->coefficients.push_back(row.transpose().array());
         out->patches.push_back(std::move(patch));
     }
+    return out;
+}
+
+std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state, const QuadraticField &field) {
+    auto out = take_snapshot(setting, state);
+    out->reconstructed = true;
+    out->counters.estimated_error = out->counters.error_limit = out->counters.error_bound = -1;
+    out->coefficients.clear();
+    auto patch = out->patches.begin();
+    for (const Element &e : field.forest.elements)
+        if (e.leaf()) {
+            patch->estimate = -1;
+            add_polynomial(e, field.radiosity, *patch++, out->coefficients);
+        }
     return out;
 }
 

@@ -5,8 +5,12 @@
 
 namespace penumbra {
 
+struct QuadraticField; // iteration/quadratic.h
+
 /// Everything but the error.
 std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state);
+/// The same with the quadratics that were made of the state, and without what was measured of its own radiosity.
+std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state, const QuadraticField &field);
 
 /// A curve as a polyline in the scene's own frame.
 SnapshotCurve draw_curve(const Scene &scene, const Curve &curve);

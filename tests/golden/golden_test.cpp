@@ -121,6 +121,26 @@ TEST(Golden, KeyholeOfTwoLamps) {
     expect_golden("keyhole", spec);
 }
 
+// A picture that is made again takes another time, of which nothing else may move: at whatever width its line just fits.
+TEST(Golden, TheTimeTakesTheSameRoomWhateverItIs) {
+    const Offscreen context;
+    for (int width = 300; width <= 420; width += 10) {
+        const auto drawn = [&](double seconds) {
+            auto snapshot = std::make_shared<Snapshot>(*synthetic::lamp_and_blocker());
+            snapshot->counters.seconds = seconds;
+            PictureSpec spec = picture_of(snapshot);
+            spec.width = width;
+            return draw_picture(spec);
+        };
+        const Image one = drawn(0.105), other = drawn(0.0456);
+        std::size_t n = 0;
+        for (std::size_t i = 0; i < one.rgb.size(); ++i)
+            n += one.rgb[i] != other.rgb[i];
+        EXPECT_GT(n, 0u);
+        EXPECT_LT(static_cast<double>(n) / static_cast<double>(one.rgb.size()), 0.01) << width;
+    }
+}
+
 // The control: what a careless change would do must not pass for the baseline.
 TEST(Golden, ControlsFail) {
     const Offscreen context;

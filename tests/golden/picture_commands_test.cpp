@@ -129,8 +129,30 @@ TEST_F(PictureCommands, PanesChosenStandSideBySide) {
     ASSERT_EQ(run("render soft-shadow --panes d,c --threshold 0.02 --size 640x480 -o two.png"), 0) << text(folder / ".err");
     EXPECT_EQ(state("two.png")["strategies"], nlohmann::json::array({"discontinuity-wavelet", "uniform-wavelet"}));
     EXPECT_EQ(state("two.png")["layout"], "two");
-    for (const char *wrong : {"c,", ",c", "cd", "c,e", "c d", "\"\""})
+    for (const char *wrong : {"c,", ",c", "cd", "c,e", "c d", "\"\"", "cq", "b,q", "bqq", "qb"})
         EXPECT_EQ(run(std::string("render soft-shadow -o a.png --panes ") + wrong), 2) << wrong;
+}
+
+TEST_F(PictureCommands, ConstantsStandBesideTheirQuadratics) {
+    ASSERT_EQ(run("render slanted-edge --panes b,bq --threshold 0.1 --size 640x480 -o a.png"), 0) << text(folder / ".err");
+    const nlohmann::json j = state("a.png");
+    EXPECT_EQ(j["strategies"], nlohmann::json::array({"discontinuity-constant", "discontinuity-constant"}));
+    EXPECT_EQ(j["reconstructed"], nlohmann::json::array({false, true}));
+    // The picture opens again as it was, but for the seconds in its labels.
+    ASSERT_EQ(run("render a.png -o b.png"), 0) << text(folder / ".err");
+    EXPECT_EQ(state("b.png")["reconstructed"], j["reconstructed"]);
+    const Image a = read_png(folder / "a.png"), b = read_png(folder / "b.png");
+    ASSERT_EQ(a.rgb.size(), b.rgb.size());
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i)
+        n += a.rgb[i] != b.rgb[i];
+    EXPECT_LT(static_cast<double>(n) / static_cast<double>(a.rgb.size()), 0.005);
+    // In the profile along a line each has its own points.
+    ASSERT_EQ(run("render slanted-edge --panes b,bq --threshold 0.1 -o p.png --profile '-1 0 0 1 0 0'"), 0)
+        << text(folder / ".err");
+    const std::string csv = text(folder / "p-profile.csv");
+    EXPECT_NE(csv.find("\ndiscontinuity-constant,"), csv.npos);
+    EXPECT_NE(csv.find("\ndiscontinuity-constant as quadratics,"), csv.npos);
 }
 
 /// The price of cutting where it does not pay, as the picture in the README tells it.

@@ -41,6 +41,7 @@ const std::map<std::string, Expected> &expectations() {
         {"strategy.d", {"/strategies/0", "discontinuity-wavelet", {"strategy.a"}}},
         {"strategy.meshing", {"/strategies/0", "uniform-wavelet", {"strategy.d"}}},
         {"strategy.basis", {"/strategies/0", "discontinuity-constant", {"strategy.d"}}},
+        {"strategy.reconstructed", {"/reconstructed/0", true, {"strategy.b"}}},
         {"view.single", {"/layout", "single", {"view.two"}}},
         {"view.two", {"/layout", "two", {}}},
         {"view.four", {"/layout", "four", {}}},

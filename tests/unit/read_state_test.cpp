@@ -29,6 +29,7 @@ SavedState unusual() {
                  .cut = CutChoice::best,
                  .gather = GatherOrder::southwell};
     s.strategies = {Strategy::discontinuity_constant, Strategy::uniform_constant, Strategy::uniform_wavelet};
+    s.reconstructed = {true, false, false};
     s.active = 1;
     s.position = 4;
     s.converged = true;
@@ -72,6 +73,7 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     EXPECT_EQ(again.options.strategy, Strategy::uniform_constant) << "the active pane's";
     EXPECT_EQ(again.options.gather, GatherOrder::southwell);
     EXPECT_EQ(again.strategies, s.strategies);
+    EXPECT_EQ(again.reconstructed, s.reconstructed);
 }
 
 /// The control: every field of the text that was changed changes what is read.
@@ -151,6 +153,8 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("options": {"max_iterations": 0})", "options.max_iterations is 0"},
         {R"("strategies": [])", "strategies has 0 strategies; give 1 to 16"},
         {R"("strategies": ["best"])", "strategies[0] is 'best'; give uniform-constant"},
+        {R"("reconstructed": [false, true])", "reconstructed has 2 flags; give one for each of the 1 strategies"},
+        {R"("reconstructed": [true])", "reconstructed[0] is true for a strategy without constants"},
         {R"("active": 1)", "active is 1; give a whole number from 0 to 0"},
         {R"("position": -1)", "position is -1"},
         {R"("iteration": 1, "phase": "push")", "phase is 'push'; give start, refine"},
