@@ -38,7 +38,10 @@ public:
     ElementBasis(int order, PlanarDomain domain);
 
     int order() const { return order_; }
-    int n_functions() const { return planar() ? n_planar_functions(order_) : order_ * order_; }
+    int n_functions() const { return n_functions(order_); }
+    /// Of the same family and a lower order m: how many, and where its k-th one stands among the element's.
+    int n_functions(int m) const { return planar() ? n_planar_functions(m) : m * m; }
+    int place(int m, int k) const { return planar() ? k : k / m * order_ + k % m; }
     /// Null for the other family.
     const BilinearQuad *quad() const { return std::get_if<BilinearQuad>(&domain_); }
     const PlanarElement *planar() const { return std::get_if<PlanarElement>(&domain_); }

@@ -20,6 +20,7 @@ public:
     double misfit(const Element &p) const { return mean_square_ ? total_ / std::sqrt(n_nodes_ * p.basis.area() / area_) : total_; }
     /// Light that brings less, or detail of sources that does, does not matter by its share of this [W/m2].
     double anywhere() const { return total_; }
+    bool mean_square() const { return mean_square_; }
     /// Of what the interaction misses, reflected, in the norm above [W/m2].
     double measured(const Interaction &interaction, const State &state, const Rgb &reflectance) const;
 

@@ -76,6 +76,7 @@ auto adder(Eigen::Index rows) {
 struct Placed {
     const Link *link;
     SurfaceId source;
+    int order;
 
     auto key() const { return std::tuple(link->kernel.rows(), link->kernel.cols(), source); }
 };
@@ -83,18 +84,20 @@ struct Placed {
 } // namespace
 
 LinkBatch::LinkBatch(const Forest &forest, const Interactions &interactions) : interactions_(interactions) {
+    if (!interactions.empty())
+        receiver_ = forest[interactions.front()->receiver].basis;
     std::vector<Placed> links;
     std::size_t n_values = 0;
     for (const auto &interaction : interactions)
         for (const Link &link : interaction->links) {
-            links.push_back({&link, interaction->source});
+            links.push_back({&link, interaction->source, interaction->order});
             n_values += static_cast<std::size_t>(link.kernel.size());
         }
     std::ranges::stable_sort(links, {}, &Placed::key);
     kernels_.reserve(n_values);
     sources_.reserve(links.size());
-    for (const auto &[link, source] : links) {
-        const Run one{link->kernel.rows(), link->kernel.cols(), 0, sources_.size(), kernels_.size()};
+    for (const auto &[link, source, order] : links) {
+        const Run one{order, link->kernel.rows(), link->kernel.cols(), 0, sources_.size(), kernels_.size()};
         const bool another = runs_.empty() || runs_.back().rows != one.rows || runs_.back().columns != one.columns;
         if (another)
             runs_.push_back(one);
@@ -114,10 +117,16 @@ std::size_t LinkBatch::bytes() const {
 void LinkBatch::add(const Run &run, const Coefficients &radiosity, Rows irradiance) const {
     const double *kernels = kernels_.data() + run.first_value;
     const std::int32_t *sources = sources_.data() + run.first_link;
-    if (run.rows * run.columns == 1)
+    if (run.rows * run.columns == 1) {
         add_constants(kernels, sources, run.n_links, radiosity.data(), irradiance);
-    else
+    } else if (run.rows == 1 || run.rows == irradiance.rows()) {
         adder(run.rows)(kernels, sources, run.n_links, run.columns, radiosity.data(), irradiance);
+    } else {
+        Coefficients lower = Coefficients::Zero(run.rows, 3);
+        adder(run.rows)(kernels, sources, run.n_links, run.columns, radiosity.data(), lower);
+        for (int k = 0; k < static_cast<int>(run.rows); ++k)
+            irradiance.row(receiver_.place(run.order, k)) += lower.row(k);
+    }
 }
 
 void LinkBatch::add_irradiance(const Coefficients &radiosity, Rows irradiance) const {

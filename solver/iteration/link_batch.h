@@ -35,6 +35,7 @@ public:
 private:
     /// Links one after the other whose kernels have the same shape.
     struct Run {
+        int order; ///< of the interactions
         Eigen::Index rows, columns;
         std::size_t n_links, first_link, first_value;
     };
@@ -45,6 +46,7 @@ private:
     };
     void add(const Run &run, const Coefficients &radiosity, Eigen::Ref<Coefficients> irradiance) const;
 
+    ElementBasis receiver_;
     std::vector<double> kernels_;       ///< column by column
     std::vector<std::int32_t> sources_; ///< first coefficient of each link's source
     std::vector<Run> runs_;

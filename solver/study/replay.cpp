@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "iteration/take_snapshot.h"
 
+#include <limits>
 #include <algorithm>
 #include <utility>
 
@@ -77,11 +78,12 @@ void link_again(const Setting &setting, const State &decisions, State &state, co
         Work work;
         for (const auto &decided : decisions.interactions[e]) {
             std::vector<ElementId> sources;
+            constexpr double everything = std::numeric_limits<double>::infinity(), nothing = -1;
             for (const Link &link : decided->links)
                 sources.push_back(link.source);
             const auto candidates = all_candidates(transport, state.forest[ElementId(e)].surface, decided->source);
             state.interactions[e].push_back(connect(transport, state.forest, ElementId(e), decided->source, candidates,
-                                                    sources, decided->weak, work, nullptr, decided->fine));
+                                                    sources, {decided->weak ? everything : nothing}, work, nullptr, decided->fine));
         }
     });
 }

@@ -1,12 +1,11 @@
 #include "transport/interaction.h"
 
-#include "core/check.h"
+#include "transport/integrate_links.h"
 #include "transport/lambert.h"
 #include "transport/lit_points.h"
 #include "transport/point_transfer.h"
 #include "transport/proximity.h"
-#include "transport/receiver_points.h"
-#include "transport/shadow_points.h"
+#include "transport/variation.h"
 #include "visibility/shaft.h"
 
 #include <algorithm>
@@ -59,6 +58,16 @@ Rgb Interaction::mean_square_misfit(const Forest &forest, const Coefficients &ra
     return all.rows() == 0 ? Rgb(Rgb::Zero()) : Rgb(all.array().square().colwise().mean().transpose());
 }
 
+Rgb Interaction::left_out(const Forest &forest, const Coefficients &radiosity) const {
+    Rgb sum = Rgb::Zero();
+    for (const Link &link : links)
+        if (const Eigen::Index n = link.left_out.size(); n > 0)
+            sum += (link.left_out.transpose() * radiosity.middleRows(forest[link.source].first + 1, n).cwiseAbs())
+                       .transpose()
+                       .array();
+    return sum;
+}
+
 double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source) {
     const Surface &receiver = transport.scene.surface(p.surface), &s = transport.scene.surface(source);
     double most = 0;
@@ -103,14 +112,13 @@ std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId re
 
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, std::span<const PairBlocker> candidates,
-                                           std::span<const ElementId> sources, bool weak, Work &work,
+                                           std::span<const ElementId> sources, const Leeway &leeway, Work &work,
                                            const Interaction *before, bool fine) {
     const Element &p = forest[receiver];
     const Surface &to = transport.scene.surface(p.surface), &from = transport.scene.surface(source);
     auto out = std::make_shared<Interaction>();
     out->receiver = receiver;
     out->source = source;
-    out->weak = weak;
     out->fine = fine;
     out->kind = PairKind::hidden;
 
@@ -138,91 +146,12 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     const double size = radius(p.basis.outline());
     const bool near = distance < 0.25 * size;
     out->kind = !out->blockers.empty() ? PairKind::partly_hidden : near ? PairKind::near : PairKind::clear;
-    out->form_factor = form_factor_bound(transport, p, source);
+    out->form_factor = out->variation = form_factor_bound(transport, p, source);
+    if (out->kind == PairKind::clear)
+        out->variation = std::min(out->form_factor, variation_bound(forest, p, to, from, sources, out->form_factor));
+    out->weak = out->variation <= leeway.weak;
 
-    const bool alike = before && before->weak == weak && before->fine == fine;
-    const std::span<const Link> known = alike ? before->links : std::span<const Link>();
-    const auto known_link = [&](ElementId q) { return std::ranges::find(known, q, &Link::source); };
-    std::vector<SourceNode> nodes;
-    for (const ElementId q : sources) {
-        if (known_link(q) != known.end())
-            continue;
-        nodes.push_back(source_node(transport.scene, forest[q]));
-        if (weak)
-            nodes.back().n_columns = 1;
-    }
-    PointTransfer transfer(transport, p, from, out->blockers, std::move(nodes), work);
-    const Eigen::Index n_columns = transfer.n_columns();
-    const int order = p.basis.order();
-    const int n_rows = weak ? 1 : p.basis.n_functions();
-    const int finer = fine && out->kind == PairKind::partly_hidden ? 2 : 1;
-    const auto project = [&](PointTransfer &from_nodes, double accuracy) {
-        // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a
-        // fit, more.
-        const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(accuracy))) - 3);
-        int n_points = weak ? 2 : finer * (order + 1) + digits, n_levels = near && !weak ? digits : 0;
-        if (digits > 0 && !weak && out->blockers.empty() && distance > 0) {
-            // The transfer's poles are as far from p as the source: Gauss converges as it does in source_moments.
-            const double rate = 2 * std::asinh(distance / size);
-            if (const double enough = std::ceil(std::log(1 / accuracy) / rate + 0.5 * order + 1); enough <= 32) {
-                n_points = std::max(n_points, static_cast<int>(enough));
-                n_levels = 0;
-            }
-        }
-        Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(n_rows, from_nodes.n_columns());
-        Eigen::RowVectorXd row(from_nodes.n_columns());
-        for (const QuadraturePoint &q : projection_points(p.basis, n_points, n_levels, touching_corners(p, to, from))) {
-            from_nodes.at(q.position, std::span(row.data(), static_cast<std::size_t>(row.size())));
-            kernel += q.inner * p.basis.evaluate(q).head(n_rows) * row;
-        }
-        return kernel;
-    };
-    Eigen::MatrixXd kernel = project(transfer, transport.accuracy);
-    if (!weak && transport.constant_accuracy < transport.accuracy) {
-        std::vector<SourceNode> constants = transfer.nodes();
-        for (SourceNode &node : constants)
-            node.n_columns = 1;
-        PointTransfer constant(transport, p, from, out->blockers, std::move(constants), work);
-        const Eigen::MatrixXd columns = project(constant, transport.constant_accuracy);
-        Eigen::Index column = 0;
-        for (std::size_t k = 0; k < transfer.nodes().size(); column += transfer.nodes()[k++].n_columns)
-            kernel.col(column) = columns.col(static_cast<Eigen::Index>(k));
-    }
-    Eigen::RowVectorXd row(n_columns);
-    const std::span<double> row_values(row.data(), static_cast<std::size_t>(n_columns));
-    Eigen::MatrixXd misfit(0, n_columns);
-    if (!weak) {
-        std::vector<Vec2> tests = test_points(p.basis);
-        const auto shadows = shadow_points(transport.scene, transport.blockers, p, from, out->blockers);
-        tests.insert(tests.end(), shadows.begin(), shadows.end());
-        if (lights_a_spot(p, from, distance)) {
-            // Drawn in, as shadow points are.
-            const Vec2 centre = p.basis.centre();
-            for (const Vec2 &at : lit_points(p, to, from))
-                if (const Vec2 inside = at + 0.02 * (centre - at); from.frame.height(to.frame.to_space(inside)) > 0)
-                    tests.push_back(inside);
-        }
-        std::erase_if(tests, [&](const Vec2 &at) { return is_covered(to, at); });
-        const auto beside = contact_points(transport.scene, transport.blockers, p, out->blockers);
-        tests.insert(tests.end(), beside.begin(), beside.end());
-        misfit.resize(static_cast<Eigen::Index>(tests.size()), n_columns);
-        for (std::size_t c = 0; c < tests.size(); ++c) {
-            transfer.at(tests[c], row_values);
-            misfit.row(static_cast<Eigen::Index>(c)) = row - p.basis.evaluate(tests[c]).head(n_rows).transpose() * kernel;
-        }
-    }
-    Eigen::Index first = 0;
-    auto node = transfer.nodes().begin();
-    for (const ElementId q : sources) {
-        if (const auto link = known_link(q); link != known.end()) {
-            PENUMBRA_CHECK(link->misfit.rows(), ==, misfit.rows());
-            out->links.push_back(*link);
-            continue;
-        }
-        const Eigen::Index count = (node++)->n_columns;
-        out->links.push_back({q, kernel.middleCols(first, count), misfit.middleCols(first, count)});
-        first += count;
-    }
+    integrate_links(transport, forest, *out, sources, fine ? Leeway() : leeway, distance, before, work);
     return out;
 }
 
@@ -231,8 +160,10 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, cons
                                                 const Coefficients &radiosity, Work &work) {
     const Element &p = forest[interaction.receiver];
     std::vector<SourceNode> nodes;
-    for (const Link &link : interaction.links)
+    for (const Link &link : interaction.links) {
         nodes.push_back(source_node(transport.scene, forest[link.source]));
+        nodes.back().n_columns = static_cast<int>(link.kernel.cols());
+    }
     PointTransfer transfer(transport, p, transport.scene.surface(interaction.source), interaction.blockers,
                            std::move(nodes), work);
     Eigen::Matrix<double, Eigen::Dynamic, 3> out(static_cast<Eigen::Index>(points.size()), 3);

@@ -17,9 +17,22 @@ enum class PairKind { clear, near, partly_hidden, hidden };
 /// A receiver node p and a source node q: K_ij = <N_i, integral over q of G V N_j dA>_p. Geometry only: no reflectance.
 struct Link {
     ElementId source;
-    Eigen::MatrixXd kernel; ///< K: functions of p x columns; of a source whose higher coefficients are 0, one column
+    /// K: rows are the functions of p of the interaction's order, columns those of q; one where its higher coefficients
+    /// are 0 or left out.
+    Eigen::MatrixXd kernel;
     /// Rows: the interaction's test points x_c. T_j(x_c) - sum_i N_i(x_c) K_ij: what the fit of p misses.
     Eigen::MatrixXd misfit;
+    Eigen::VectorXd left_out; ///< largest |T_j| at a few points, of the columns j > 0 that were left out; else empty
+};
+
+/// What links may leave out of what is brought at present. Radiosity changes: whoever uses this judges again.
+struct Leeway {
+    double weak = -1; ///< share of the source's radiosity: who brings, or varies by, no more gets constants; below 0: nobody
+    /// What orders below those of the receiver and the source may miss, reflected [W/m2]; 0: the full orders.
+    double misfit = 0;
+    bool mean_square = false; ///< as the root mean square over the test points and the sum over channels, not as the largest
+    Rgb reflectance = Rgb::Zero();
+    const Coefficients *radiosity = nullptr;
 };
 
 /// All links of receiver element p from one input surface S; together they bring T_S. What of S is covered brings
@@ -28,12 +41,14 @@ struct Interaction {
     ElementId receiver;
     SurfaceId source;
     PairKind kind = PairKind::clear;
-    /// Below its share of the error: a constant, from a few points, and not tested.
+    /// What it brings, or how that varies, is below its share of the error: a constant, from a few points, and not tested.
     bool weak = false;
     /// p was kept though it failed: a partly hidden pair takes twice the points a parameter, so that the fit comes close
     /// to the best that p can do.
     bool fine = false;
+    int order = 1;                     ///< of the fit: up to that of p
     double form_factor = 0;            ///< unoccluded, largest over a few points of p: bounds what S can bring
+    double variation = 0;              ///< what constants can miss of it (variation.h); the form factor where that is less
     std::vector<PairBlocker> blockers; ///< those that may stand between p and S
     std::vector<Link> links;           ///< their sources tile S
 
@@ -42,6 +57,8 @@ struct Interaction {
     /// The mean of (T_S - fit)^2 over them, all counting the same: borders and shadows, where they are dense, weigh more
     /// than their area.
     Rgb mean_square_misfit(const Forest &forest, const Coefficients &radiosity) const;
+    /// About the most that columns which were left out would bring anywhere on p [W/m2, before reflection].
+    Rgb left_out(const Forest &forest, const Coefficients &radiosity) const;
 
 private:
     Eigen::Matrix<double, Eigen::Dynamic, 3> misfits(const Forest &forest, const Coefficients &radiosity) const;
@@ -68,13 +85,13 @@ struct Transport {
 /// points of it beneath, or a little in front of, the corners, sides and parts of S; 0 when neither faces the other.
 double form_factor_bound(const Transport &transport, const Element &p, SurfaceId source);
 
-/// Classifies the pair and integrates its links. `candidates`: a superset of the blockers between them (those of a
-/// parent; `all_candidates` at a root). A hidden pair has no links. `before`, where given, is what this call gave for the
-/// same two with other sources: links of sources in both are taken over, not computed again, if they were made with the
-/// same `weak` and `fine`. Cancellable.
+/// Classifies the pair and integrates its links, to the orders that `leeway` leaves them (link_orders.h). `candidates`: a
+/// superset of the blockers between them (those of a parent; `all_candidates` at a root). A hidden pair has no links.
+/// `before`, where given, is what this call gave for the same two with other sources: links of sources in both are taken
+/// over, not computed again, and the others get its order, if both are weak, or fine, alike. Cancellable.
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, std::span<const PairBlocker> candidates,
-                                           std::span<const ElementId> sources, bool weak, Work &work,
+                                           std::span<const ElementId> sources, const Leeway &leeway, Work &work,
                                            const Interaction *before = nullptr, bool fine = false);
 
 /// Everything near the shaft between two surfaces, as proposed by the bounding-volume hierarchy.

@@ -43,7 +43,8 @@ TEST_P(LinkBatchTest, BringsWhatItsLinksDo) {
         for (const auto &interaction : state->interactions[e])
             for (const Link &link : interaction->links) {
                 const Eigen::MatrixXd b = state->radiosity.middleRows(forest[link.source].first, link.kernel.cols());
-                sum.topRows(link.kernel.rows()) += link.kernel * b;
+                for (int k = 0; k < link.kernel.rows(); ++k)
+                    sum.row(p.basis.place(interaction->order, k)) += link.kernel.row(k) * b;
                 ++n_here;
             }
         ASSERT_EQ(state->batches[e] != nullptr, n_here > 0);

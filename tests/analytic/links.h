@@ -18,7 +18,7 @@ struct Pair {
     Link link(SurfaceId receiver, SurfaceId source, double accuracy, Work &work) const {
         const Transport transport{*scene, blockers, accuracy};
         const auto made = connect(transport, forest, forest.roots[receiver.at()].at(0), source,
-                                  all_candidates(transport, receiver, source), forest.roots[source.at()], false, work);
+                                  all_candidates(transport, receiver, source), forest.roots[source.at()], {}, work);
         EXPECT_EQ(made->links.size(), 1U);
         return made->links.at(0);
     }
