@@ -28,9 +28,6 @@ Command add_scenes(CLI::App &root);
 Command add_solve(CLI::App &root);
 Command add_view(CLI::App &root);
 
-/// A verb whose capability is still to come: takes any arguments and refuses with status 2.
-Command add_pending(CLI::App &root, const char *name, const char *does);
-
 /// All verbs, in the order of the help.
 std::vector<Command> add_commands(CLI::App &root);
 

@@ -16,14 +16,26 @@ namespace penumbra {
 
 namespace {
 
-/// Takes the option and refuses any value of it.
-void add_pending_option(CLI::App &parser, const std::string &name, const std::string &does) {
-    parser
-        .add_option_function<std::string>(
-            name,
-            [name](const std::string &) { throw CLI::ValidationError(name, "is still to come; leave it out"); },
-            does + " (still to come)")
-        ->trigger_on_parse();
+std::string effect_names() {
+    std::string all;
+    for (const Effect effect : all_effects)
+        all += (all.empty() ? "" : ", ") + std::string(name(effect));
+    return all + " (or discontinuities, its four parts)";
+}
+
+/// NAME=auto|on|off, any number of them; the last of a name holds.
+void set_effects(const std::vector<std::string> &all, EffectSwitches &switches) {
+    for (const std::string &text : all) {
+        const std::size_t equals = text.find('=');
+        const auto effects = effects_from_name(std::string_view(text).substr(0, equals));
+        const auto value = equals == text.npos ? std::nullopt : switch_from_name(std::string_view(text).substr(equals + 1));
+        if (effects.empty())
+            throw CLI::ValidationError("--effect", "'" + text + "' names no effect; there are " + effect_names());
+        if (!value)
+            throw CLI::ValidationError("--effect", "'" + text + "' sets nothing; give NAME=auto, NAME=on or NAME=off");
+        for (const Effect effect : effects)
+            switches[effect] = *value;
+    }
 }
 
 std::map<std::string, Strategy> strategies() {
@@ -145,7 +157,13 @@ void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
             "surface, from what is there by then) or southwell (the surface with the most unshot light shoots first)")
         ->check(CLI::IsMember(gather_orders()));
     parser.add_option("--threads", o.threads, "Threads; 0: all cores")->check(CLI::Range(0, 4096))->capture_default_str();
-    add_pending_option(parser, "--effect", "NAME=auto|on|off");
+    parser
+        .add_option_function<std::vector<std::string>>(
+            "--effect", [&o](const std::vector<std::string> &all) { set_effects(all, o.effects); },
+            "What is simulated, repeatable: " + effect_names() + "; auto (default: what the scene calls for), on or off")
+        ->type_name("NAME=auto|on|off")
+        ->expected(1)
+        ->take_all();
     parser
         .add_option("--memory-limit", solving.limits.memory_mib,
                     "MiB of resident memory, beyond which the last complete solution is written")

@@ -43,7 +43,7 @@ void add_up_option(CLI::App &parser, SolvingOptions &solving);
 void add_scene_options(CLI::App &parser, SolvingOptions &solving);
 
 /// --strategy, --cut, --basis, --order, --threshold, --max-depth, --max-iterations, --threads, --memory-limit,
-/// --time-limit; those whose capability is still to come (--tolerance, --effect) are refused while parsing.
+/// --time-limit, --effect and so on.
 void add_solving_options(CLI::App &parser, SolvingOptions &solving);
 
 /// --probe and --probe-output, each of which needs the other.

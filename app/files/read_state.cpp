@@ -77,6 +77,10 @@ Options read_options(const JsonValue &json) {
         o.coarse_correction = named(*correction, switch_from_name, "auto, on or off");
     if (const auto gather = json.known("gather"))
         o.gather = named(*gather, gather_order_from_name, "jacobi, gauss-seidel or southwell");
+    if (const auto effects = json.known("effects"))
+        for (const Effect effect : all_effects)
+            if (const auto value = effects->known(std::string(name(effect)).c_str()))
+                o.effects[effect] = named(*value, switch_from_name, "auto, on or off");
     read_whole(json, "order", 1, 4, o.order);
     read_whole(json, "max_depth", 0, 20, o.max_depth);
     read_whole(json, "max_iterations", 1, most_iterations, o.max_iterations);

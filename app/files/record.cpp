@@ -50,6 +50,12 @@ Json final_state(const Snapshot *solution) {
                  {"clips", c.total_work.clips},
                  {"rays", c.total_work.rays},
                  {"link_evaluations", c.total_work.link_evaluations},
+                 {"products", c.total_work.products},
+                 {"channels", c.channels},
+                 {"pairs", c.total_work.pairs},
+                 {"traced_pairs", c.total_work.traced_pairs},
+                 {"traced_reflectors", c.total_work.traced_reflectors},
+                 {"lower_links", c.lower_links},
                  {"snapped_cuts", c.total_work.snapped_cuts},
                  {"left_out_curves", c.total_work.left_out_curves},
                  {"untraced_pairs", c.untraced_pairs},
@@ -63,6 +69,19 @@ Json final_state(const Snapshot *solution) {
         for (auto &[key, value] : json.items())
             value = key == "converged" ? Json(false) : Json();
     return json;
+}
+
+/// By public name; saved and done in the effect's unit.
+Json effects(const Snapshot &solution) {
+    Json all = Json::array();
+    for (const LedgerEntry &e : solution.effects)
+        all.push_back({{"name", name(e.effect)},
+                       {"decision", name(e.decision)},
+                       {"reason", e.reason},
+                       {"saved", e.saved},
+                       {"done", e.done},
+                       {"unit", unit(e.effect)}});
+    return all;
 }
 
 Json diagnostics(const std::optional<Health> &health) {
@@ -96,7 +115,7 @@ std::string to_json(const Record &record) {
                        {"final", final_state(solution)},
                        {"predicted_seconds", record.predicted_seconds ? Json(*record.predicted_seconds) : Json()},
                        {"stopped_by", record.stopped_by.empty() ? Json() : Json(record.stopped_by)},
-                       {"effects", nullptr},
+                       {"effects", solution ? effects(*solution) : Json()},
                        {"diagnostics", diagnostics(record.health)}};
     // Scene names are bytes that need not be UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -14,6 +14,15 @@ Json triple(const Vector &v) {
     return Json::array({v[0], v[1], v[2]});
 }
 
+/// Those that somebody decided.
+Json effects(const EffectSwitches &switches) {
+    Json out = Json::object();
+    for (const Effect effect : all_effects)
+        if (switches[effect] != Switch::automatic)
+            out[std::string(name(effect))] = name(switches[effect]);
+    return out;
+}
+
 Json options(const Options &o) {
     return {{"threshold", o.threshold},
             {"tolerance", o.tolerance ? Json(*o.tolerance) : Json()},
@@ -23,7 +32,8 @@ Json options(const Options &o) {
             {"max_depth", o.max_depth},
             {"max_iterations", o.max_iterations},
             {"coarse_correction", name(o.coarse_correction)},
-            {"gather", name(o.gather)}};
+            {"gather", name(o.gather)},
+            {"effects", effects(o.effects)}};
 }
 
 Json camera(const Camera &c) {

@@ -1,7 +1,8 @@
 #include "core/options.h"
 
+#include "core/named.h"
+
 #include <array>
-#include <cstddef>
 
 namespace penumbra {
 
@@ -13,15 +14,6 @@ constexpr std::array<Naming, 4> namings{{{"uniform-constant", "Uniform meshing, 
                                          {"discontinuity-constant", "Discontinuity meshing, constant basis"},
                                          {"uniform-wavelet", "Uniform meshing, multiwavelet basis"},
                                          {"discontinuity-wavelet", "Discontinuity meshing, multiwavelet basis"}}};
-
-/// The one of that name().
-template <class T, std::size_t n>
-std::optional<T> named(const T (&all)[n], std::string_view text) {
-    for (const T one : all)
-        if (name(one) == text)
-            return one;
-    return std::nullopt;
-}
 } // namespace
 
 std::string_view name(Strategy strategy) { return namings[static_cast<std::size_t>(strategy)].name; }
@@ -46,12 +38,6 @@ std::string_view name(GatherOrder order) {
 }
 
 std::optional<GatherOrder> gather_order_from_name(std::string_view text) { return named(all_gather_orders, text); }
-
-std::string_view name(Switch value) {
-    return value == Switch::automatic ? "auto" : value == Switch::on ? "on" : "off";
-}
-
-std::optional<Switch> switch_from_name(std::string_view text) { return named(all_switches, text); }
 
 std::optional<Strategy> strategy_from_name(std::string_view text) { return named(all_strategies, text); }
 

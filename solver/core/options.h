@@ -1,6 +1,8 @@
 // What a solution is asked for, in scale-free units.
 #pragma once
 
+#include "core/effects.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,22 +56,13 @@ std::optional<GatherOrder> gather_order_from_name(std::string_view name);
 /// At which the paper's figures come out: about its counts of patches for all four strategies, and its three for (d).
 inline constexpr double paper_threshold = 0.03;
 
-/// What is decided from the scene unless somebody decides.
-enum class Switch { automatic, on, off };
-
-inline constexpr Switch all_switches[] = {Switch::automatic, Switch::on, Switch::off};
-
-/// `auto`, `on`, `off`; the public names.
-std::string_view name(Switch value);
-std::optional<Switch> switch_from_name(std::string_view name);
-
 inline constexpr int deepest = 20; ///< of --max-depth
 
 struct Options {
     Strategy strategy = Strategy::discontinuity_wavelet;
     BasisFamily basis = BasisFamily::parametric;
     /// Polynomials of degree < order in each parameter (planar: of total degree < order), 1 to 4; the two constant
-    /// strategies take 1 whatever stands here.
+    /// strategies, and links whose effect `order` is off, take 1 whatever stands here.
     int order = 4;
     /// Largest misfit that the oracle lets pass, as a fraction of the largest reflected radiosity B - E.
     double threshold = 0.02;
@@ -84,8 +77,7 @@ struct Options {
     /// A curve is cut along if that lowers the fit's root mean square error on the node, taken as the root of what the
     /// squares lose, by more than this share of the misfit that the oracle lets pass. 0: every curve is a candidate.
     double least_gain = 0.07;
-    /// Strategies that cut trace the curves of a reflector, too, when a node fails because of its light.
-    bool reflector_curves = true;
+    EffectSwitches effects;
     /// Each step goes on with a constant on each surface, solved for directly (iteration/coarse_correction.h).
     Switch coarse_correction = Switch::automatic;
     GatherOrder gather = GatherOrder::jacobi;
@@ -109,7 +101,7 @@ struct Options {
         return out;
     }
 
-    int effective_order() const { return is_constant(strategy) ? 1 : order; }
+    int effective_order() const { return is_constant(strategy) || effects[Effect::order] == Switch::off ? 1 : order; }
 };
 
 } // namespace penumbra

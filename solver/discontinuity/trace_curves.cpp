@@ -1,6 +1,7 @@
 #include "discontinuity/trace_curves.h"
 
 #include "core/parallel.h"
+#include "discontinuity/hidden_pairs.h"
 #include "discontinuity/merge_curves.h"
 #include "discontinuity/sight_cells.h"
 #include "discontinuity/source_view.h"
@@ -14,24 +15,12 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
 #include <iterator>
 #include <utility>
 
 namespace penumbra {
 
 namespace {
-
-std::vector<Eigen::AlignedBox3d> boxes_of(const Scene &scene) {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Surface &surface : scene.surfaces) {
-        Eigen::AlignedBox3d &box = boxes.emplace_back();
-        for (const Vec3 &c : surface.corners)
-            box.extend(c);
-    }
-    return boxes;
-}
 
 std::vector<SurfaceId> possible_blockers(std::span<const Eigen::AlignedBox3d> boxes, SurfaceId source,
                                          SurfaceId receiver) {
@@ -45,83 +34,100 @@ std::vector<SurfaceId> possible_blockers(std::span<const Eigen::AlignedBox3d> bo
     return blockers;
 }
 
-/// Pairs of which one surface hides all: of many rooms most pairs stand in different ones, with a wall in between.
-class HiddenPairs {
-public:
-    HiddenPairs(const Scene &scene, std::span<const Eigen::AlignedBox3d> boxes)
-        : scene_(scene), boxes_(boxes), last_(scene.surfaces.size()) {
-        for (int s = 0; s < scene.n_surfaces(); ++s)
-            large_first_.emplace_back(s);
-        std::ranges::stable_sort(large_first_, std::greater<>(), [&](SurfaceId s) { return scene.surface(s).area; });
-    }
+constexpr Effect parts[] = {Effect::curves_ve_ev, Effect::curves_eee, Effect::curves_contact};
 
-    /// From many threads: which surface it finds may differ, the answer does not.
-    bool hidden(SurfaceId source, SurfaceId receiver) {
-        const Eigen::AlignedBox3d both = boxes_[source.at()].merged(boxes_[receiver.at()]);
-        const auto hides_all = [&](SurfaceId s) {
-            return s != source && s != receiver && both.intersects(boxes_[s.at()]) &&
-                   hides(scene_.surface(s), scene_.surface(receiver), scene_.surface(source));
-        };
-        // What hid the last receiver often hides the next.
-        if (const SurfaceId last(last_[source.at()].load(std::memory_order_relaxed)); hides_all(last))
-            return true;
-        const auto found = std::ranges::find_if(large_first_, hides_all);
-        if (found == large_first_.end())
-            return false;
-        last_[source.at()].store(found->index, std::memory_order_relaxed);
-        return true;
-    }
+/// Whether one of the two reaches behind the other's plane: then that plane throws a curve of its own.
+bool crosses_planes(const Scene &scene, SurfaceId source, SurfaceId receiver) {
+    const Surface &a = scene.surface(source), &b = scene.surface(receiver);
+    const auto behind = [](const Surface &s, const PlaneFrame &plane) {
+        return std::ranges::any_of(s.corners, [&](const Vec3 &x) { return plane.height(x) < -coincidence; });
+    };
+    return behind(a, b.frame) || behind(b, a.frame);
+}
 
-private:
-    const Scene &scene_;
-    std::span<const Eigen::AlignedBox3d> boxes_;
-    std::vector<SurfaceId> large_first_;
-    std::vector<std::atomic<int>> last_; ///< by source; at first surface 0
-};
-
-} // namespace
-
-std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId receiver,
-                                std::span<const SurfaceId> blockers, const Cancel *cancel) {
+std::vector<Curve> traced(const Scene &scene, SurfaceId source, SurfaceId receiver, std::span<const SurfaceId> blockers,
+                          const EffectSwitches &switches, Work &work, const Cancel *cancel) {
     const SourceView view = source_view(scene, source, receiver, blockers);
+    const auto wanted = [&](Effect part, bool called_for) {
+        if (switches[part] == Switch::off)
+            return false;
+        const bool done = (called_for && !view.empty()) || switches[part] == Switch::on;
+        ++(done ? work.traced_pairs : work.spared[part]);
+        return done;
+    };
+    const auto stands_on_receiver = [&](const Facet &facet) {
+        return std::ranges::any_of(facet.corners, [&](const Vec3 &x) { return view.receiver_plane.height(x) < coincidence; });
+    };
+    const bool ve_ev = wanted(Effect::curves_ve_ev, !view.facets.empty() || crosses_planes(scene, source, receiver));
+    const bool eee = wanted(Effect::curves_eee, view.facets.size() > 1);
+    const bool contact = wanted(Effect::curves_contact, std::ranges::any_of(view.facets, stands_on_receiver));
     if (view.empty())
         return {};
     const SightCells cells(scene, view, cancel);
     std::vector<Curve> curves;
-    trace_corners(scene, view, cells, curves);
-    trace_edges(scene, view, cells, curves);
-    trace_triples(scene, view, cells, curves);
-    trace_horizon(scene, view, curves);
-    trace_planes(scene, view, cells, curves);
-    trace_contacts(scene, view, cells, curves);
+    if (ve_ev) {
+        trace_corners(scene, view, cells, curves);
+        trace_edges(scene, view, cells, curves);
+    }
+    if (eee)
+        trace_triples(scene, view, cells, curves);
+    if (ve_ev) {
+        trace_horizon(scene, view, curves);
+        trace_planes(scene, view, cells, curves);
+    }
+    if (contact)
+        trace_contacts(scene, view, cells, curves);
     return merge_curves(curves);
+}
+
+} // namespace
+
+std::vector<Curve> trace_curves(const Scene &scene, SurfaceId source, SurfaceId receiver,
+                                std::span<const SurfaceId> blockers, const Cancel *cancel,
+                                const EffectSwitches &switches) {
+    Work work;
+    return traced(scene, source, receiver, blockers, switches, work, cancel);
 }
 
 std::vector<SurfaceId> possible_blockers(const Scene &scene, SurfaceId source, SurfaceId receiver) {
     return possible_blockers(boxes_of(scene), source, receiver);
 }
 
-std::vector<Curve> trace_emitter_curves(const Scene &scene, const Cancel *cancel) {
-    const std::vector<Eigen::AlignedBox3d> boxes = boxes_of(scene);
+std::vector<Curve> trace_emitter_curves(const Scene &scene, const EffectSwitches &switches, Work &work,
+                                        const Cancel *cancel) {
     std::vector<std::pair<SurfaceId, SurfaceId>> pairs;
     for (int r = 0; r < scene.n_surfaces(); ++r)
         for (int s = 0; s < scene.n_surfaces(); ++s)
             if (r != s && scene.reflects(SurfaceId(r)) && scene.emits(SurfaceId(s)))
                 pairs.emplace_back(s, r);
-    HiddenPairs hidden_pairs(scene, boxes);
+    const std::vector<Eigen::AlignedBox3d> boxes = boxes_of(scene);
+    const HiddenPairs hidden_pairs(scene);
     std::vector<std::vector<Curve>> found(pairs.size());
+    std::vector<Work> works(pairs.size());
     parallel_for(pairs.size(), [&](std::size_t i) {
         if (cancel)
             cancel->check();
         const auto [source, receiver] = pairs[i];
-        if (!face_each_other(scene.surface(source), scene.surface(receiver)) || hidden_pairs.hidden(source, receiver))
-            return;
-        found[i] = trace_curves(scene, source, receiver, possible_blockers(boxes, source, receiver), cancel);
+        const bool sees = face_each_other(scene.surface(source), scene.surface(receiver)) &&
+                          !hidden_pairs.hidden(source, receiver);
+        if (sees)
+            found[i] = traced(scene, source, receiver, possible_blockers(boxes, source, receiver), switches, works[i], cancel);
+        else
+            for (const Effect part : parts)
+                if (switches[part] != Switch::off)
+                    ++(switches[part] == Switch::on ? works[i].traced_pairs : works[i].spared[part]);
     });
     std::vector<Curve> all;
     for (std::vector<Curve> &curves : found)
         std::ranges::move(curves, std::back_inserter(all));
+    for (const Work &w : works)
+        work += w;
     return all;
+}
+
+std::vector<Curve> trace_emitter_curves(const Scene &scene, const Cancel *cancel) {
+    Work work;
+    return trace_emitter_curves(scene, {}, work, cancel);
 }
 
 } // namespace penumbra

@@ -12,6 +12,7 @@ namespace penumbra {
 /// it is the root mean square over the test points, and every node may have the same share of the squared error: its
 /// root mean square weighs as sqrt(|A_p| / A), A the area of the reflecting surfaces, and n nodes of the same share
 /// together miss by sqrt(n) of it; so that the threshold in force is about the relative L2 error of the whole.
+/// Before anything was gathered it is half of what a guess at the peak, or the mean, would allow.
 class Allowance {
 public:
     Allowance(const Setting &setting, const State &state);

@@ -19,7 +19,7 @@ Coefficients gathered(const State &state, const Coefficients &radiosity, const C
 }
 
 void gather(const Setting &setting, State &state, const Cancel *cancel) {
-    const auto renewed = renew(state.batches, state.forest, state.interactions, cancel);
+    const auto renewed = renew(state.batches, state.forest, state.interactions, setting.plan.channels, cancel);
     const std::string n_links = std::to_string(state.counters.links) + " links";
     Work work;
     work.link_evaluations = state.counters.links;
@@ -40,6 +40,12 @@ void gather(const Setting &setting, State &state, const Cancel *cancel) {
         break;
     }
     }
+    const std::int64_t coefficients =
+        state.counters.links > 0 ? state.counters.link_coefficients * work.link_evaluations / state.counters.links : 0;
+    const int n_solved = setting.plan.channels.n_solved();
+    work.products = n_solved * coefficients;
+    if (setting.options.effects[Effect::colour] == Switch::automatic)
+        work.spared[Effect::colour] = (3 - n_solved) * coefficients;
     state.counters.work += work;
     state.counters.total_work += work;
     state.counters.link_bytes = link_bytes(state.interactions, state.batches);

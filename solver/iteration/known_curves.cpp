@@ -30,15 +30,20 @@ void add(const Scene &scene, State &state, std::vector<Curve> found) {
 
 } // namespace
 
-void trace_emitters(const Scene &scene, State &state, const Cancel *cancel) {
-    add(scene, state, trace_emitter_curves(scene, cancel));
+void trace_emitters(const Setting &setting, State &state, const Cancel *cancel) {
+    const Scene &scene = *setting.scene;
+    Work work;
+    add(scene, state, trace_emitter_curves(scene, setting.options.effects, work, cancel));
+    state.counters.work += work;
+    state.counters.total_work += work;
     std::vector<char> from_emitters;
     for (int s = 0; s < scene.n_surfaces(); ++s)
         from_emitters.push_back(scene.emits(SurfaceId(s)));
     state.traced.assign(scene.surfaces.size(), from_emitters);
 }
 
-void trace_paths(const Scene &scene, State &state, std::vector<LightPath> paths, const Cancel *cancel) {
+void trace_paths(const Setting &setting, State &state, std::vector<LightPath> paths, const Cancel *cancel) {
+    const Scene &scene = *setting.scene;
     std::ranges::sort(paths);
     paths.erase(std::ranges::unique(paths).begin(), paths.end());
     std::erase_if(paths, [&](const LightPath &p) { return state.traced[p.receiver.at()][p.source.at()] != 0; });
@@ -52,7 +57,7 @@ void trace_paths(const Scene &scene, State &state, std::vector<LightPath> paths,
         const auto &[receiver, source] = paths[i];
         const std::vector<SurfaceId> blockers = possible_blockers(scene, source, receiver);
         if (blockers.size() <= most_blockers)
-            found[i] = trace_curves(scene, source, receiver, blockers, cancel);
+            found[i] = trace_curves(scene, source, receiver, blockers, cancel, setting.options.effects);
         else
             too_many[i] = 1;
     });
@@ -60,6 +65,7 @@ void trace_paths(const Scene &scene, State &state, std::vector<LightPath> paths,
     for (std::vector<Curve> &curves : found)
         std::ranges::move(curves, std::back_inserter(all));
     add(scene, state, std::move(all));
+    state.counters.work.traced_reflectors += static_cast<std::int64_t>(paths.size());
     state.n_untraced += static_cast<int>(std::ranges::count(too_many, 1));
     for (const LightPath &p : paths)
         state.traced[p.receiver.at()][p.source.at()] = 1;

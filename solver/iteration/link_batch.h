@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "effects/plan.h"
 #include "transport/interaction.h"
 
 #include <cstdint>
@@ -17,7 +18,8 @@ class LinkBatch {
 public:
     using Interactions = std::vector<std::shared_ptr<const Interaction>>;
 
-    LinkBatch(const Forest &forest, const Interactions &interactions);
+    /// Of channels that are multiples of others nothing is multiplied: radiosities must be such multiples, too.
+    LinkBatch(const Forest &forest, const Interactions &interactions, const Channels &channels = {});
 
     /// Whether it was made from these very interactions.
     bool made_from(const Interactions &interactions) const { return interactions_ == interactions; }
@@ -45,8 +47,11 @@ private:
         Run links;
     };
     void add(const Run &run, const Coefficients &radiosity, Eigen::Ref<Coefficients> irradiance) const;
+    template <std::size_t C>
+    void add_channels(const Run &run, const Coefficients &radiosity, Eigen::Ref<Coefficients> irradiance) const;
 
     ElementBasis receiver_;
+    Channels channels_;
     std::vector<double> kernels_;       ///< column by column
     std::vector<std::int32_t> sources_; ///< first coefficient of each link's source
     std::vector<Run> runs_;
@@ -57,7 +62,8 @@ private:
 /// Batches of all receivers, by element. Those whose interactions are the ones they were made from stay; the others are
 /// made anew, in parallel. A receiver without interactions has none. Gives by element whether it was changed.
 std::vector<char> renew(std::vector<std::shared_ptr<const LinkBatch>> &batches, const Forest &forest,
-                        const std::vector<LinkBatch::Interactions> &interactions, const Cancel *cancel);
+                        const std::vector<LinkBatch::Interactions> &interactions, const Channels &channels,
+                        const Cancel *cancel);
 
 /// Bytes that all links take: kernels and misfits (interaction.h), and the batches' copies.
 std::int64_t link_bytes(const std::vector<LinkBatch::Interactions> &interactions,

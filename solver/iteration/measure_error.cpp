@@ -23,7 +23,7 @@ std::vector<std::vector<Rgb>> correction(const Setting &setting, const State &st
     std::vector<std::vector<Rgb>> out;
     for (const auto &batch : batches)
         out.emplace_back(batch.size(), Rgb::Zero());
-    if (!setting.rays)
+    if (setting.one_bounce())
         return out;
     Means sum = Means::Zero(scene.n_surfaces(), 3);
     Eigen::VectorXd area = Eigen::VectorXd::Zero(scene.n_surfaces());
@@ -56,7 +56,14 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
     constexpr std::size_t most_batches = 512;
     Solution solution{*setting.scene, *setting.blockers, setting.rays.get(), state.forest, state.radiosity};
     const double size = reflected_square(*setting.scene, state.forest, state.radiosity);
+    solution.hidden = setting.hidden_pairs.get();
     std::optional<ReflectedGather> gather;
+    const auto gather_exactly = [&] {
+        gather.emplace(*setting.scene, *setting.blockers, state.forest, state.radiosity);
+        solution.gather = &*gather;
+    };
+    if (!setting.rays && !setting.one_bounce())
+        gather_exactly();
     ResidualSampling sampling;
     Batches batches;
     std::int64_t n_rays = 0;
@@ -70,7 +77,7 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
         ErrorEstimate e = estimate_error(batches, correction(setting, state, batches, cancel), size,
                                          setting.largest_reflectance());
         e.n_rays = n_rays;
-        if (setting.rays)
+        if (!setting.one_bounce())
             e.upper *= left_out;
         const bool known = e.spread <= 0.5 * e.mean_square;
         const bool far_above = e.mean_square - e.spread > square(2 * goal);
@@ -80,8 +87,7 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
         if (e.noise > std::max(e.residual, 0.3 * goal)) {
             // The rays' noise is all that these points show.
             batches.clear();
-            gather.emplace(*setting.scene, *setting.blockers, state.forest, state.radiosity);
-            solution.gather = &*gather;
+            gather_exactly();
         } else {
             sampling.n_batches = static_cast<int>(std::max<std::size_t>(batches.size(), 8));
         }

@@ -25,10 +25,10 @@ constexpr double order_share = 0.05, order_limit = 0.15;
 struct Request {
     ElementId receiver;
     SurfaceId source;
-    std::vector<PairBlocker> candidates;
+    Candidates candidates;
     std::vector<ElementId> sources;
     std::shared_ptr<const Interaction> before; ///< of the same pair, to be replaced; none when the pair is new
-    bool fine = false;
+    bool fine = false, again = false;
 };
 
 enum class Verdict { keep, relink, fail };
@@ -46,6 +46,8 @@ public:
         : setting_(setting), state_(state), scene_(*setting.scene),
           cancel_(cancel),
           transport_(setting.transport(state.counters.threshold, cancel)), allowance_(setting, state), detail_(dropped_detail(state.forest, state.radiosity)) {
+        for (int s = 0; s < scene_.n_surfaces(); ++s)
+            nothing_emits_ = nothing_emits_ && !scene_.emits(SurfaceId(s));
         brightness_.resize(scene_.surfaces.size());
         for (std::size_t s = 0; s < brightness_.size(); ++s)
             brightness_[s] = largest_radiosity(SurfaceId(s));
@@ -82,13 +84,15 @@ private:
 
     Leeway leeway(ElementId receiver, SurfaceId source) const {
         const Element &p = state_.forest[receiver];
+        if (is(Effect::order, Switch::on))
+            return {};
         return {slack(receiver, source), order_share * allowance_.misfit(p), allowance_.mean_square(),
                 scene_.reflectance(p.surface), &state_.radiosity};
     }
 
     Judgement judge(const Interaction &interaction) const {
         Judgement out;
-        const bool weak = interaction.variation <= slack(interaction.receiver, interaction.source);
+        const bool weak = interaction.variation <= leeway(interaction.receiver, interaction.source).weak;
         if (interaction.links.empty() || (interaction.weak && weak))
             return out;
         const Element &p = state_.forest[interaction.receiver];
@@ -164,14 +168,14 @@ private:
 
     /// A reflector whose light a leaf fails to fit brings more than the oracle lets pass: its curves are worth it.
     void trace_failing(const std::vector<std::vector<const Interaction *>> &failing) {
-        if (!cuts_along_curves(setting_.options.strategy) || !setting_.options.reflector_curves)
+        if (!cuts_along_curves(setting_.options.strategy) || is(Effect::curves_secondary, Switch::off))
             return;
         std::vector<LightPath> paths;
         for (std::size_t e = 0; e < failing.size(); ++e)
             for (const Interaction *interaction : failing[e])
                 if (state_.forest.elements[e].leaf() && interaction->kind == PairKind::partly_hidden)
                     paths.push_back({state_.forest.elements[e].surface, interaction->source});
-        trace_paths(scene_, state_, std::move(paths), cancel_);
+        trace_paths(setting_, state_, std::move(paths), cancel_);
     }
 
     void apply(ElementId node, const std::optional<Split> &split) {
@@ -248,7 +252,7 @@ private:
             else if (j.verdict == Verdict::fail && !at_limit)
                 descend(node, *here[i], j);
             else
-                requests_.push_back({node, here[i]->source, here[i]->blockers, j.sources, j.afresh ? nullptr : here[i], fine});
+                requests_.push_back({node, here[i]->source, here[i]->candidates(), j.sources, j.afresh ? nullptr : here[i], fine, j.afresh});
         }
         here = std::move(kept);
     }
@@ -261,26 +265,50 @@ private:
             if (!state_.forest[child].leaf() && state_.forest[child].born == state_.counters.iteration)
                 descend(child, interaction, judgement);
             else
-                requests_.push_back({child, interaction.source, interaction.blockers, judgement.sources, nullptr});
+                requests_.push_back({child, interaction.source, interaction.candidates(), judgement.sources, nullptr});
         }
     }
 
+    bool is(Effect effect, Switch value) const { return setting_.options.effects[effect] == value; }
+
     void request_new_pairs() {
         for (std::size_t r = 0; r < scene_.surfaces.size(); ++r)
-            for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
-                if (r == s || state_.linked[r][s] || !scene_.reflects(SurfaceId(r)) || brightness_[s].maxCoeff() <= 0)
-                    continue;
-                state_.linked[r][s] = 1;
-                std::optional<std::vector<PairBlocker>> candidates;
-                for (const ElementId root : state_.forest.roots[r]) {
-                    const double factor = form_factor_bound(transport_, state_.forest[root], SurfaceId(s));
-                    if (factor <= 0)
-                        continue;
-                    if (!candidates)
-                        candidates = all_candidates(transport_, SurfaceId(r), SurfaceId(s));
-                    requests_.push_back({root, SurfaceId(s), *candidates, state_.forest.roots[s], nullptr});
+            for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
+                if (r != s && !state_.linked[r][s] && scene_.reflects(SurfaceId(r)) && may_shine(SurfaceId(s))) {
+                    state_.linked[r][s] = 1;
+                    request_pair(SurfaceId(r), SurfaceId(s));
                 }
+    }
+
+    bool may_shine(SurfaceId s) const {
+        return setting_.plan.emission && (brightness_[s.at()].maxCoeff() > 0 || nothing_emits_);
+    }
+
+    void request_pair(SurfaceId receiver, SurfaceId source) {
+        const auto &roots = state_.forest.roots[receiver.at()], &sources = state_.forest.roots[source.at()];
+        const auto n_roots = static_cast<std::int64_t>(roots.size());
+        Work &work = state_.counters.work;
+        if (!setting_.plan.is_lit(receiver)) {
+            work.spared[Effect::two_sided] += n_roots;
+            return;
+        }
+        if (!setting_.plan.interreflection && !scene_.emits(source)) {
+            work.spared[Effect::interreflection] += n_roots;
+            return;
+        }
+        work.pairs += n_roots;
+        std::optional<Candidates> candidates;
+        for (const ElementId root : roots) {
+            if (form_factor_bound(transport_, state_.forest[root], source) <= 0)
+                continue;
+            if (!candidates && setting_.hidden_pairs && setting_.hidden_pairs->hidden(source, receiver)) {
+                work.spared[Effect::hidden_pairs] += n_roots * static_cast<std::int64_t>(sources.size());
+                return;
             }
+            if (!candidates)
+                candidates = all_candidates(transport_, receiver, source);
+            requests_.push_back({root, source, *candidates, sources, nullptr});
+        }
     }
 
     void link() {
@@ -288,8 +316,9 @@ private:
         std::vector<Work> work(requests_.size());
         parallel_for(requests_.size(), [&](std::size_t i) {
             const Request &r = requests_[i];
-            made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources,
-                              leeway(r.receiver, r.source), work[i],
+            Leeway spare = leeway(r.receiver, r.source);
+            spare.again = r.again;
+            made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources, spare, work[i],
                               r.before.get(), r.fine);
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
@@ -304,12 +333,13 @@ private:
         c.patches = c.nodes_at_limit = 0;
         c.curves = static_cast<int>(state_.curves->curves().size());
         c.untraced_pairs = state_.n_untraced;
-        c.coefficients = c.links = 0;
+        c.coefficients = c.links = c.lower_links = 0;
         for (std::size_t e = 0; e < state_.forest.elements.size(); ++e) {
             const Element &element = state_.forest.elements[e];
             for (const auto &interaction : state_.interactions[e])
                 for (const Link &link : interaction->links) {
                     ++c.links;
+                    c.lower_links += interaction->order < element.basis.order() || link.left_out.size() > 0;
                     c.link_coefficients += link.kernel.size();
                 }
             if (!element.leaf() || !scene_.reflects(element.surface))
@@ -338,6 +368,7 @@ private:
     std::vector<Request> requests_;
     std::optional<std::string> told_;
     bool told_cut_ = false, changed_ = false;
+    bool nothing_emits_ = true;
 };
 
 } // namespace

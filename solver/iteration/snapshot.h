@@ -5,6 +5,7 @@
 #include "core/counters.h"
 #include "core/options.h"
 #include "core/vec.h"
+#include "effects/ledger.h"
 #include "geometry/bilinear_quad.h"
 #include "hierarchy/forest.h"
 
@@ -105,6 +106,7 @@ struct Snapshot {
     double error = -1;                  ///< relative L2 error against the exact direct solution; negative: not known
     bool reconstructed = false;         ///< patches hold quadratics made for the eye (quadratic.h), not the solution's constants
     std::string sentence;               ///< what the last phase did, in words
+    std::vector<LedgerEntry> effects;   ///< what was decided about each, up to now
 };
 
 /// Whether the polynomial's quad is a box about the patch (planar basis), not the patch itself.

@@ -27,7 +27,8 @@ Transport Setting::transport(double threshold, const Cancel *cancel) const {
         threshold = std::min(threshold, *options.tolerance > 0 ? 2 * *options.tolerance : 1e-3);
     const double accuracy = std::clamp(0.1 * threshold, 1e-7, 1e-2);
     const double share = std::min(1.0, 10 * (1 - largest_reflectance()));
-    return {*scene, *blockers, accuracy, std::max(accuracy * share, 1e-9), cancel};
+    return {*scene, *blockers, accuracy, std::max(accuracy * share, 1e-9), cancel,
+            options.effects[Effect::visibility] == Switch::on, options.effects[Effect::hidden_pairs] == Switch::on};
 }
 
 struct Solver::Parts {
@@ -51,7 +52,8 @@ std::shared_ptr<const State> first_state(const Setting &setting, const Cancel *c
     const int n = state->forest.elements.front().basis.n_functions();
     state->counters.coefficients = state->counters.patches * n;
     state->counters.threshold = first_threshold(setting.options);
-    trace_emitters(scene, *state, cancel);
+    state->counters.channels = setting.plan.channels.n_solved();
+    trace_emitters(setting, *state, cancel);
     state->counters.curves = static_cast<int>(state->curves->curves().size());
     state->sentence = "only the emitters shine: nothing has been gathered yet";
     return state;
@@ -68,11 +70,16 @@ double seconds_of(const auto &work) {
 Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const Cancel *cancel)
     : parts_(std::make_unique<Parts>()) {
     Setting &setting = parts_->setting;
-    setting.scene = std::move(scene);
+    setting.scene = options.effects[Effect::colour] == Switch::off
+                        ? std::make_shared<const Scene>(without_colour(*scene))
+                        : std::move(scene);
     setting.options = options;
-    setting.blockers = std::make_unique<const Blockers>(*setting.scene);
-    if (!has_one_bounce(*setting.scene))
+    setting.plan = make_plan(*setting.scene, options.effects);
+    setting.blockers = std::make_unique<const Blockers>(*setting.scene, setting.plan.can_block);
+    if (setting.plan.interreflection && setting.plan.anything_blocks())
         setting.rays = std::make_unique<const RayScene>(*setting.scene);
+    if (options.effects[Effect::hidden_pairs] != Switch::on && setting.plan.anything_blocks())
+        setting.hidden_pairs = std::make_unique<const HiddenPairs>(*setting.scene);
     if (cancel)
         cancel->check();
     parts_->state = first_state(setting, cancel);
@@ -95,6 +102,7 @@ void Solver::sub_step(const Cancel *cancel) {
         c.total_work = before.total_work;
         c.seconds = before.seconds;
         c.threshold = before.threshold;
+        c.channels = before.channels;
         seconds = c.refine_s = seconds_of([&] { refine(setting, *next, cancel); });
         c.total_work += c.work;
         if (!c.refined) { // the same elements and links as before
@@ -156,7 +164,7 @@ void Solver::restore(std::shared_ptr<const State> state) { parts_->state = std::
 
 std::shared_ptr<const Snapshot> Solver::snapshot(bool with_error) const {
     auto snapshot = take_snapshot(parts_->setting, *parts_->state);
-    if (with_error && has_one_bounce(scene()))
+    if (with_error && parts_->setting.one_bounce())
         snapshot->error = direct_error(scene(), *parts_->setting.blockers, parts_->state->forest, parts_->state->radiosity);
     return snapshot;
 }
@@ -165,22 +173,9 @@ std::shared_ptr<const Snapshot> Solver::reconstruction(const State &state, bool 
                                                        const Cancel *cancel) const {
     const QuadraticField field = reconstruct(parts_->setting, state, cancel);
     auto snapshot = take_snapshot(parts_->setting, state, field);
-    if (with_error && has_one_bounce(scene()))
+    if (with_error && parts_->setting.one_bounce())
         snapshot->error = direct_error(scene(), *parts_->setting.blockers, field.forest, field.radiosity);
     return snapshot;
-}
-
-bool has_one_bounce(const Scene &scene) {
-    const auto in_front = [&](int s, int of) {
-        const PlaneFrame &plane = scene.surface(SurfaceId(of)).frame;
-        return std::ranges::any_of(scene.surface(SurfaceId(s)).corners,
-                                   [&](const Vec3 &x) { return plane.height(x) > 1e-12; });
-    };
-    for (int s = 0; s < scene.n_surfaces(); ++s)
-        for (int t = s + 1; t < scene.n_surfaces(); ++t)
-            if (scene.reflects(SurfaceId(s)) && scene.reflects(SurfaceId(t)) && in_front(s, t) && in_front(t, s))
-                return false;
-    return true;
 }
 
 } // namespace penumbra

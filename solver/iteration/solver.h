@@ -3,6 +3,7 @@
 
 #include "core/cancel.h"
 #include "core/options.h"
+#include "effects/plan.h"
 #include "iteration/snapshot.h"
 #include "scene/scene.h"
 
@@ -47,6 +48,7 @@ public:
     /// but for the error, which is the quadratics' own.
     std::shared_ptr<const Snapshot> reconstruction(const State &state, bool with_error = false,
                                                    const Cancel *cancel = nullptr) const;
+    /// As it is solved (effects/plan.h, without_colour).
     const Scene &scene() const;
     const Options &options() const;
 
@@ -58,9 +60,5 @@ private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
-
-/// Whether light reflected by any surface can reach no other reflecting surface, judged conservatively (half-spaces):
-/// then the direct solution is the whole solution.
-bool has_one_bounce(const Scene &scene);
 
 } // namespace penumbra

@@ -3,6 +3,8 @@
 
 #include "core/counters.h"
 #include "discontinuity/curve_index.h"
+#include "discontinuity/hidden_pairs.h"
+#include "effects/plan.h"
 #include "hierarchy/push_pull.h"
 #include "iteration/link_batch.h"
 #include "iteration/snapshot.h"
@@ -20,9 +22,12 @@ struct Setting {
     std::shared_ptr<const Scene> scene;
     Options options;
     std::unique_ptr<const Blockers> blockers{};
-    std::unique_ptr<const RayScene> rays{}; ///< for the error's estimate; null: light bounces once
+    std::unique_ptr<const RayScene> rays{}; ///< for the error's estimate; null: light bounces once, or nothing blocks it
+    Plan plan{};
+    std::unique_ptr<const HiddenPairs> hidden_pairs{}; ///< null: looked at one by one
 
     const Rgb &reflectance(SurfaceId s) const { return scene->reflectance(s); }
+    bool one_bounce() const { return !rays && (plan.anything_blocks() || !plan.interreflection); }
     double largest_reflectance() const; ///< of all surfaces and channels
     /// Links are made to a tenth of the threshold in force, or of twice the tolerance (0.001 where that is 0) if that
     /// is smaller. What they miss is reflected again and again, 1 / (1 - rho) times in all:

@@ -111,6 +111,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
     out->curves = state.drawn_curves;
     out->peak = state.peak;
     out->sentence = state.sentence;
+    out->effects = ledger(scene, setting.options, setting.plan, state.counters);
     for (int s = 0; s < scene.n_surfaces(); ++s)
         out->surfaces.push_back(surface_of(scene, SurfaceId(s)));
     const auto centre = [&](ElementId e) {

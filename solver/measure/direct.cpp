@@ -12,7 +12,8 @@
 
 namespace penumbra {
 
-Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point, Work &work) {
+Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId id, const Vec2 &point, Work &work,
+                      const HiddenPairs *hidden) {
     const Surface &surface = scene.surface(id);
     Rgb irradiance = Rgb::Zero();
     if (is_covered(surface, point))
@@ -23,7 +24,7 @@ Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId id
     for (int s = 0; s < scene.n_surfaces(); ++s) {
         const Surface &source = scene.surface(SurfaceId(s));
         if (s == id.index || !scene.emits(SurfaceId(s)) || source.frame.height(x) <= 0 ||
-            behind(surface.frame, source.corners))
+            behind(surface.frame, source.corners) || (hidden && hidden->hidden(SurfaceId(s), id)))
             continue;
         for (const Polygon &part : source.parts) {
             blockers_in_cone(x, surface.frame, source.frame, part, blockers, nullptr, others);

@@ -1,13 +1,16 @@
 // The exact direct solution: what emitters bring to a point, each with its exact visible part.
 #pragma once
 
+#include "discontinuity/hidden_pairs.h"
 #include "transport/interaction.h"
 
 namespace penumbra {
 
 /// sum over the emitters of E_S times Lambert's formula over what the point sees of S, at a point of a surface's plane: the
-/// irradiance of light that was not reflected yet [W/m2]. Independent of elements and links. 0 where covered.
-Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point, Work &work);
+/// irradiance of light that was not reflected yet [W/m2]. Independent of elements and links. 0 where covered. Emitters that
+/// `hidden` knows to see nothing of the surface are passed over.
+Rgb direct_irradiance(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point, Work &work,
+                      const HiddenPairs *hidden = nullptr);
 
 /// B = E + rho times that. Dark where the surface is covered.
 Rgb direct_radiosity(const Scene &scene, const Blockers &blockers, SurfaceId surface, const Vec2 &point);

@@ -118,9 +118,9 @@ std::vector<std::vector<ResidualPoint>> sample_residual(const Solution &solution
             cancel->check();
         ResidualPoint &p = batches[places[i].batch][places[i].point];
         const Rgb &rho = scene.reflectance(p.surface);
-        const Rgb direct = rho * direct_irradiance(scene, solution.blockers, p.surface, p.at, done[i]) - p.solution;
+        const Rgb direct = rho * direct_irradiance(scene, solution.blockers, p.surface, p.at, done[i], solution.hidden) - p.solution;
         p.first = p.second = direct;
-        if (!solution.rays)
+        if (!solution.rays && !solution.gather)
             return;
         if (solution.gather) {
             p.first += rho * solution.gather->irradiance(p.surface, p.at, done[i]);

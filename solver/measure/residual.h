@@ -12,16 +12,18 @@
 
 namespace penumbra {
 
+class HiddenPairs;
 class ReflectedGather;
 
 /// A solution B_h and the scene that it is of.
 struct Solution {
     const Scene &scene;
     const Blockers &blockers;
-    const RayScene *rays; ///< null: no reflector's light reaches another
+    const RayScene *rays; ///< null: `gather` instead, or no reflector's light reaches another
     const Forest &forest;
     const Coefficients &radiosity;
     const ReflectedGather *gather = nullptr; ///< takes the rays' place where given
+    const HiddenPairs *hidden = nullptr;     ///< null: looked for at every point
 };
 
 /// Radiosity on the elements of the same scene.

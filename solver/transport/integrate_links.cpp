@@ -23,6 +23,9 @@ constexpr std::size_t probe_stride = 4;
 /// A fit of lower order may turn out to miss more than least squares promised, by this factor.
 constexpr double broken_promise = 2;
 
+/// More than the oracle asks of a fit.
+int digits_of(double accuracy) { return std::max(0, static_cast<int>(std::lround(-std::log10(accuracy))) - 3); }
+
 class LinkIntegration {
 public:
     LinkIntegration(const Transport &transport, const Forest &forest, Interaction &out, const Leeway &leeway,
@@ -42,11 +45,13 @@ public:
 
     /// Kernel, misfit and what was left out, of all nodes in their order. `order`: to be taken; 0: of its own choice.
     void run(int order) {
+        const std::int64_t before = work_.kernel_evaluations;
         if (out_.weak) {
             out_.order = 1;
             kernel = project(nodes_, transport_.accuracy);
             misfit.resize(0, kernel.cols());
             left_out.resize(nodes_.size());
+            count_spared(before, far_evaluations());
             return;
         }
         const Rows transfers = look();
@@ -60,6 +65,7 @@ public:
             out_.order = p_.basis.order();
             fit(transfers);
         }
+        count_spared(before, probed_);
     }
 
     const std::vector<SourceNode> &nodes() const { return nodes_; }
@@ -69,6 +75,31 @@ public:
     std::vector<Eigen::VectorXd> left_out;
 
 private:
+    /// What the full orders would have taken in evaluations, at every point that they look at as many as `a_point`, less what
+    /// was taken.
+    void count_spared(std::int64_t before, double a_point) {
+        out_.full_evaluations = a_point;
+        if (leeway_.misfit <= 0 && !out_.weak)
+            return;
+        const double n_tiles = static_cast<double>(p_.basis.n_tiles());
+        const double tests = out_.weak ? 25 * n_tiles : static_cast<double>(tests_.size());
+        const int full = p_.basis.order() + 1 + digits_of(transport_.accuracy);
+        const double whole = leeway_.again ? 0 : a_point * (tests + n_tiles * full * full);
+        work_.spared[Effect::order] += static_cast<std::int64_t>(whole) - (work_.kernel_evaluations - before);
+    }
+
+    /// Of all nodes, seen from one point of p, by the rule for what is far (source_moments.h).
+    double far_evaluations() const {
+        double sum = 0;
+        for (const SourceNode &node : nodes_) {
+            const bool constant = !transport_.scene.reflects(out_.source) || node.element.basis.n_functions() == 1;
+            const double rate = 2 * std::asinh(std::max(distance_, 0.1 * size_) / radius(node.element.basis.outline()));
+            const double n = std::min(8.0, std::ceil(std::log(1 / transport_.accuracy) / rate + 2));
+            sum += constant ? 1 : 1 + n * n;
+        }
+        return sum;
+    }
+
     void find_tests() {
         tests_ = test_points(p_.basis);
         const auto shadows = shadow_points(transport_.scene, transport_.blockers, p_, from_, out_.blockers);
@@ -86,7 +117,7 @@ private:
     }
 
     void look_at(std::span<const std::size_t> tests, Rows &rows) {
-        PointTransfer transfer(transport_, p_, from_, out_.blockers, nodes_, work_);
+        PointTransfer transfer(transport_, p_, out_, nodes_, work_);
         for (const std::size_t c : tests)
             transfer.at(tests_[c], row_of(rows, c));
     }
@@ -102,7 +133,9 @@ private:
         for (std::size_t c = 0; c < tests_.size(); ++c)
             (leeway_.misfit <= 0 || c % probe_stride == 0 ? probes : others).push_back(c);
         Rows whole = Rows::Zero(n_tests, n_columns());
+        const std::int64_t before = work_.kernel_evaluations;
         look_at(probes, whole);
+        probed_ = static_cast<double>(work_.kernel_evaluations - before) / static_cast<double>(std::max<std::size_t>(1, probes.size()));
         left_out = columns_to_leave_out(nodes_, whole, leeway_);
         std::vector<Eigen::Index> kept;
         Eigen::Index first = 0;
@@ -164,11 +197,11 @@ private:
     }
 
     Eigen::MatrixXd project(const std::vector<SourceNode> &nodes, double accuracy) {
-        PointTransfer transfer(transport_, p_, from_, out_.blockers, nodes, work_);
+        PointTransfer transfer(transport_, p_, out_, nodes, work_);
         const int order = out_.order;
         // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a
         // fit, more.
-        const int digits = std::max(0, static_cast<int>(std::lround(-std::log10(accuracy))) - 3);
+        const int digits = digits_of(accuracy);
         const int finer = out_.fine && out_.kind == PairKind::partly_hidden ? 2 : 1;
         int n_points = out_.weak ? 2 : finer * (order + 1) + digits, n_levels = near_ && !out_.weak ? digits : 0;
         if (digits > 0 && !out_.weak && out_.blockers.empty() && distance_ > 0) {
@@ -199,6 +232,7 @@ private:
     Work &work_;
     std::vector<Vec2> tests_;
     std::vector<SourceNode> nodes_;
+    double probed_ = 0; ///< evaluations a point, of the full columns
 };
 
 } // namespace

@@ -58,6 +58,10 @@ Rgb Interaction::mean_square_misfit(const Forest &forest, const Coefficients &ra
     return all.rows() == 0 ? Rgb(Rgb::Zero()) : Rgb(all.array().square().colwise().mean().transpose());
 }
 
+bool Interaction::leaves_columns_out() const {
+    return std::ranges::any_of(links, [](const Link &link) { return link.left_out.size() > 0; });
+}
+
 Rgb Interaction::left_out(const Forest &forest, const Coefficients &radiosity) const {
     Rgb sum = Rgb::Zero();
     for (const Link &link : links)
@@ -94,24 +98,25 @@ double form_factor_bound(const Transport &transport, const Element &p, SurfaceId
     return most;
 }
 
-std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source) {
+Candidates all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source) {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const SurfaceId s : {receiver, source})
         for (const Vec3 &x : transport.scene.surface(s).corners) {
             low = low.cwiseMin(x);
             high = high.cwiseMax(x);
         }
-    std::vector<PairBlocker> out;
+    Candidates out;
     for (const int b : transport.blockers.near_box(low, high)) {
         const SurfaceId s = transport.blockers[b].surface;
         if (s != receiver && s != source)
-            out.push_back({b, false});
+            out.blockers.push_back({b, false});
     }
+    out.n_proposed = static_cast<int>(out.blockers.size()) + transport.blockers.n_left_out_near(low, high, receiver, source);
     return out;
 }
 
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
-                                           SurfaceId source, std::span<const PairBlocker> candidates,
+                                           SurfaceId source, const Candidates &candidates,
                                            std::span<const ElementId> sources, const Leeway &leeway, Work &work,
                                            const Interaction *before, bool fine) {
     const Element &p = forest[receiver];
@@ -121,6 +126,9 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
     out->source = source;
     out->fine = fine;
     out->kind = PairKind::hidden;
+    out->n_proposed = candidates.n_proposed;
+    if (transport.clip_by_all)
+        out->clipped_by = candidates.blockers;
 
     const std::vector<Polygon> element{p.basis.outline()};
     const Polygon p_front = in_front(element, to.frame, from.frame), s_front = in_front(from.parts, from.frame, to.frame);
@@ -128,12 +136,14 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         return out;
     const std::vector<Vec3> p_space = to_space(to.frame, p_front), s_space = to_space(from.frame, s_front);
     const Shaft shaft(p_space, to.frame, s_space, from.frame);
-    for (PairBlocker b : candidates) {
+    for (PairBlocker b : candidates.blockers) {
         const Blocker &blocker = transport.blockers[b.blocker];
         if (shaft.misses(blocker.corners))
             continue;
-        if (spans_shaft(blocker.corners, blocker.frame, p_space, s_space))
+        if (!transport.link_hidden && spans_shaft(blocker.corners, blocker.frame, p_space, s_space)) {
+            work.spared[Effect::hidden_pairs] += static_cast<std::int64_t>(sources.size());
             return out;
+        }
         if (blocker.solid >= 0 && !b.front_only)
             b.front_only = transport.blockers.outside(blocker.solid, p_space);
         if (b.front_only &&
@@ -164,8 +174,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, cons
         nodes.push_back(source_node(transport.scene, forest[link.source]));
         nodes.back().n_columns = static_cast<int>(link.kernel.cols());
     }
-    PointTransfer transfer(transport, p, transport.scene.surface(interaction.source), interaction.blockers,
-                           std::move(nodes), work);
+    PointTransfer transfer(transport, p, interaction, std::move(nodes), work);
+    const std::int64_t before = work.kernel_evaluations;
     Eigen::Matrix<double, Eigen::Dynamic, 3> out(static_cast<Eigen::Index>(points.size()), 3);
     std::vector<double> row(static_cast<std::size_t>(transfer.n_columns()));
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -179,6 +189,9 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, cons
         }
         out.row(static_cast<Eigen::Index>(i)) = sum;
     }
+    if (interaction.leaves_columns_out())
+        work.spared[Effect::order] += static_cast<std::int64_t>(interaction.full_evaluations * static_cast<double>(points.size())) -
+                                      (work.kernel_evaluations - before);
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include "hierarchy/push_pull.h"
 #include "visibility/visible_part.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -33,6 +34,13 @@ struct Leeway {
     bool mean_square = false; ///< as the root mean square over the test points and the sum over channels, not as the largest
     Rgb reflectance = Rgb::Zero();
     const Coefficients *radiosity = nullptr;
+    bool again = false; ///< the pair had links whose orders have become too low: at full orders it would not be made again
+};
+
+/// What may stand between two.
+struct Candidates {
+    std::vector<PairBlocker> blockers;
+    int n_proposed = 0; ///< by the boxes of the two surfaces, before any was ruled out
 };
 
 /// All links of receiver element p from one input surface S; together they bring T_S. What of S is covered brings
@@ -50,8 +58,16 @@ struct Interaction {
     double form_factor = 0;            ///< unoccluded, largest over a few points of p: bounds what S can bring
     double variation = 0;              ///< what constants can miss of it (variation.h); the form factor where that is less
     std::vector<PairBlocker> blockers; ///< those that may stand between p and S
+    std::vector<PairBlocker> clipped_by; ///< where nothing is to be left out: all that were proposed; else empty
+    int n_proposed = 0;
     std::vector<Link> links;           ///< their sources tile S
+    double full_evaluations = 0;       ///< of kernels at a point of p, with all columns; about
 
+    std::span<const PairBlocker> clipping() const { return clipped_by.empty() ? blockers : clipped_by; }
+    int n_spared() const { return std::max(0, n_proposed - static_cast<int>(clipping().size())); }
+    bool leaves_columns_out() const;
+    /// For the parts of p.
+    Candidates candidates() const { return {clipped_by.empty() ? blockers : clipped_by, n_proposed}; }
     /// Largest |T_S - fit| over the test points for each channel [W/m2, before reflection].
     Rgb largest_misfit(const Forest &forest, const Coefficients &radiosity) const;
     /// The mean of (T_S - fit)^2 over them, all counting the same: borders and shadows, where they are dense, weigh more
@@ -79,6 +95,8 @@ struct Transport {
     double accuracy = 1e-4;
     double constant_accuracy = 1; ///< of what the source's constant function brings, where less than `accuracy`
     const Cancel *cancel = nullptr;
+    bool clip_by_all = false;     ///< by every blocker that is proposed, not only by those that may stand between
+    bool link_hidden = false;     ///< pairs of which one blocker hides all, too
 };
 
 /// The unoccluded form factor from p to S, the largest over corners and centre of p and the
@@ -90,12 +108,12 @@ double form_factor_bound(const Transport &transport, const Element &p, SurfaceId
 /// `before`, where given, is what this call gave for the same two with other sources: links of sources in both are taken
 /// over, not computed again, and the others get its order, if both are weak, or fine, alike. Cancellable.
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
-                                           SurfaceId source, std::span<const PairBlocker> candidates,
+                                           SurfaceId source, const Candidates &candidates,
                                            std::span<const ElementId> sources, const Leeway &leeway, Work &work,
                                            const Interaction *before = nullptr, bool fine = false);
 
 /// Everything near the shaft between two surfaces, as proposed by the bounding-volume hierarchy.
-std::vector<PairBlocker> all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source);
+Candidates all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source);
 
 /// T_S at points of p (in its surface's plane), with the present radiosity: rows points, columns channels.
 Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, const Forest &forest,

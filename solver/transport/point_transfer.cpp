@@ -28,9 +28,10 @@ SourceNode source_node(const Scene &scene, const Element &q) {
     return node;
 }
 
-PointTransfer::PointTransfer(const Transport &transport, const Element &p, const Surface &source,
-                             std::span<const PairBlocker> pair, std::vector<SourceNode> nodes, Work &work)
-    : transport_(transport), receiver_(transport.scene.surface(p.surface)), source_(source), pair_(pair),
+PointTransfer::PointTransfer(const Transport &transport, const Element &p, const Interaction &pair,
+                             std::vector<SourceNode> nodes, Work &work)
+    : transport_(transport), receiver_(transport.scene.surface(p.surface)),
+      source_(transport.scene.surface(pair.source)), clipping_(pair.clipping()), n_spared_(pair.n_spared()),
       nodes_(std::move(nodes)), work_(work) {
     for (const SourceNode &node : nodes_)
         n_columns_ += node.n_columns;
@@ -46,7 +47,8 @@ void PointTransfer::at(const Vec2 &point, std::span<double> row) {
         return;
     if (source_.frame.height(x) <= 0)
         return;
-    scratch_.hidden.cast(x, source_.frame, transport_.blockers, pair_, work_);
+    scratch_.hidden.cast(x, source_.frame, transport_.blockers, clipping_, work_);
+    work_.spared[Effect::visibility] += n_spared_;
     std::size_t first = 0;
     for (const SourceNode &node : nodes_) {
         const auto count = static_cast<std::size_t>(node.n_columns);

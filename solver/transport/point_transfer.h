@@ -25,8 +25,9 @@ SourceNode source_node(const Scene &scene, const Element &q);
 /// solid T is 0, as it is in the solid's own shadow.
 class PointTransfer {
 public:
-    PointTransfer(const Transport &transport, const Element &p, const Surface &source, std::span<const PairBlocker> pair,
-                  std::vector<SourceNode> nodes, Work &work);
+    /// Of p and a source that were classified. Clips that its blockers spare are counted, too.
+    PointTransfer(const Transport &transport, const Element &p, const Interaction &pair, std::vector<SourceNode> nodes,
+                  Work &work);
 
     int n_columns() const { return n_columns_; }
     const std::vector<SourceNode> &nodes() const { return nodes_; }
@@ -37,7 +38,8 @@ public:
 private:
     const Transport &transport_;
     const Surface &receiver_, &source_;
-    std::span<const PairBlocker> pair_;
+    std::span<const PairBlocker> clipping_;
+    int n_spared_;
     std::vector<SourceNode> nodes_;
     Work &work_;
     VisibleScratch scratch_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace penumbra {
 
@@ -31,11 +32,12 @@ Box box_of(const Blocker &b) {
 struct Blockers::Tree {
     EmbreeDevice device;
     EmbreeScene scene;
+    std::vector<int> indices; ///< of the blockers in it
     std::vector<Box> boxes;
 
-    explicit Tree(const std::vector<Blocker> &blockers) : device(rtcNewDevice(nullptr)) {
-        for (const Blocker &b : blockers)
-            boxes.push_back(box_of(b));
+    Tree(const std::vector<Blocker> &blockers, std::vector<int> in) : device(rtcNewDevice(nullptr)), indices(std::move(in)) {
+        for (const int i : indices)
+            boxes.push_back(box_of(blockers[static_cast<std::size_t>(i)]));
         scene.reset(rtcNewScene(device.get()));
         rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
         RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
@@ -56,7 +58,8 @@ struct Blockers::Tree {
     }
 };
 
-Blockers::Blockers(const Scene &scene) : solids_(find_solids(scene)), scene_(scene) {
+Blockers::Blockers(const Scene &scene, std::span<const char> can_block) : solids_(find_solids(scene)), scene_(scene) {
+    std::vector<int> near; ///< those that may ever be proposed
     std::vector<int> solid_of(scene.surfaces.size(), -1);
     for (std::size_t i = 0; i < solids_.size(); ++i)
         for (const SurfaceId f : solids_[i].faces)
@@ -69,10 +72,11 @@ Blockers::Blockers(const Scene &scene) : solids_(find_solids(scene)), scene_(sce
             Blocker b{SurfaceId(s), {}, surface.frame, solid_of[s]};
             for (const Vec2 &p : part)
                 b.corners.push_back(surface.frame.to_space(p));
+            (can_block.empty() || can_block[s] ? near : left_out_).push_back(static_cast<int>(blockers_.size()));
             blockers_.push_back(std::move(b));
         }
     }
-    tree_ = std::make_unique<Tree>(blockers_);
+    tree_ = std::make_unique<Tree>(blockers_, std::move(near));
 }
 
 Blockers::~Blockers() = default;
@@ -98,12 +102,20 @@ std::vector<int> Blockers::near_box(const Vec3 &low, const Vec3 &high) const {
             Search &s = *static_cast<Search *>(args->userPtr);
             const Box &box = s.tree->boxes[args->primID];
             if ((box.low.array() <= s.high.array()).all() && (box.high.array() >= s.low.array()).all())
-                s.found.push_back(static_cast<int>(args->primID));
+                s.found.push_back(s.tree->indices[args->primID]);
             return false;
         },
         &search);
     std::ranges::sort(search.found);
     return search.found;
+}
+
+int Blockers::n_left_out_near(const Vec3 &low, const Vec3 &high, SurfaceId but, SurfaceId and_but) const {
+    return static_cast<int>(std::ranges::count_if(left_out_, [&](int i) {
+        const Box box = box_of((*this)[i]);
+        const SurfaceId s = (*this)[i].surface;
+        return s != but && s != and_but && (box.low.array() <= high.array()).all() && (box.high.array() >= low.array()).all();
+    }));
 }
 
 bool Blockers::outside(int solid, std::span<const Vec3> points) const {

@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace penumbra {
@@ -25,7 +26,8 @@ struct Solid {
 /// The blockers of a scene with a bounding-volume hierarchy (Embree) that proposes candidates. Immutable.
 class Blockers {
 public:
-    explicit Blockers(const Scene &scene);
+    /// Surfaces that `can_block` says no of stand among the blockers, too, but are never proposed (empty: it says yes of all).
+    explicit Blockers(const Scene &scene, std::span<const char> can_block = {});
     ~Blockers();
     Blockers(const Blockers &) = delete;
     Blockers &operator=(const Blockers &) = delete;
@@ -35,12 +37,15 @@ public:
     /// Indices of the blockers whose bounding boxes, inflated by far more than single precision loses, meet the box;
     /// ascending. A superset of what meets it.
     std::vector<int> near_box(const Vec3 &low, const Vec3 &high) const;
+    /// Of those that are never proposed, how many have boxes that meet this one; but for those of two surfaces.
+    int n_left_out_near(const Vec3 &low, const Vec3 &high, SurfaceId but, SurfaceId and_but) const;
     /// Whether all points (in solver coordinates) lie outside or on the border of the solid, judged by one of its faces.
     bool outside(int solid, std::span<const Vec3> points) const;
 
 private:
     struct Tree;
     std::vector<Blocker> blockers_;
+    std::vector<int> left_out_; ///< never proposed
     std::vector<Solid> solids_;
     const Scene &scene_;
     std::unique_ptr<Tree> tree_;

@@ -17,7 +17,7 @@ Options options_of(int threads, bool reflector_curves = true) {
     Options options;
     options.threshold = 0.01;
     options.threads = threads;
-    options.reflector_curves = reflector_curves;
+    options.effects[Effect::curves_secondary] = reflector_curves ? Switch::automatic : Switch::off;
     return options;
 }
 

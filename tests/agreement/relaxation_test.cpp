@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Relaxation,
 // Where light bounces on, what was found in a sweep is worth using in it.
 TEST(RelaxationCost, LaterOrdersTakeFewerLinks) {
     const auto links_taken = [](GatherOrder order) {
-        Setting setting{std::make_shared<const Scene>(open_scene("cornell-box")), Options{.threshold = 0.05, .tolerance = {}, .gather = order}};
+        Setting setting{std::make_shared<const Scene>(open_scene("cornell-box")), Options{.threshold = 0.05, .tolerance = {}, .effects = {}, .gather = order}};
         setting.blockers = std::make_unique<const Blockers>(*setting.scene);
         Solver solver(setting.scene, setting.options);
         EXPECT_TRUE(solver.run());

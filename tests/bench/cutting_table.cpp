@@ -33,7 +33,7 @@ void add_rows(const char *name, double threshold) {
             continue; // nothing that reflects lights anything
         Options options = options_of(way.strategy, threshold);
         options.cut = way.cut;
-        options.reflector_curves = way.reflector_curves;
+        options.effects[Effect::curves_secondary] = way.reflector_curves ? Switch::automatic : Switch::off;
         Solver solver(scene, options);
         solver.run();
         const Counters &c = solver.counters();

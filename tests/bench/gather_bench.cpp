@@ -77,7 +77,7 @@ void gather_beyond_cache(benchmark::State &state, Strategy strategy, BasisFamily
         for (std::size_t i = 1; i < times; ++i)
             here.insert(here.end(), once.begin(), once.end());
     }
-    renew(links.batches, links.forest, links.interactions, nullptr);
+    renew(links.batches, links.forest, links.interactions, {}, nullptr);
     const double read = bytes();
     std::vector<std::uint64_t> from(static_cast<std::size_t>(read / 2 / sizeof(std::uint64_t)), 1), to(from.size(), 2);
     copy(from, to);

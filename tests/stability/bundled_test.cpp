@@ -28,7 +28,7 @@ TEST_P(Bundled, FiniteAndNotNegative) {
     Solver solver(std::make_shared<const Scene>(open_scene(std::string(bundled.name))), options);
     EXPECT_TRUE(solver.run());
     const auto snapshot = solver.snapshot();
-    ASSERT_GT(snapshot->peak, 0);
+    ASSERT_EQ(snapshot->peak > 0, bundled.name != "dark");
     // Where no depth limit was met (a cubic on a jump that it may not split dips below 0), and off the covers: what lies
     // under them is dark whatever its polynomial says, and the oracle does not test it.
     double least = 0;

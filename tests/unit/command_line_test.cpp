@@ -72,11 +72,32 @@ TEST_F(CommandLine, WrongUseIsTwoAndOneLine) {
     }
 }
 
-TEST_F(CommandLine, WhatIsStillToComeSaysSo) {
-    for (const char *option : {"--effect colour=on"}) {
-        const Result result = run(std::string("solve figure-4 ") + option);
-        EXPECT_EQ(result.status, 2) << option;
-        EXPECT_THAT(result.err, HasSubstr("still to come")) << option;
+TEST_F(CommandLine, EffectsAreDecidedExplainedAndOverruled) {
+    ASSERT_EQ(run("solve grey -q -o r.json").status, 0);
+    const auto effect = [&](const std::string &name) {
+        const auto all = record("r.json");
+        for (const auto &e : all["effects"])
+            if (e["name"] == name)
+                return nlohmann::json(e);
+        return nlohmann::json();
+    };
+    const auto colour = effect("colour");
+    EXPECT_EQ(colour["decision"], "off");
+    EXPECT_EQ(colour["reason"], "1 channel is solved: the others are multiples, or dark");
+    EXPECT_EQ(colour["unit"], "products");
+    EXPECT_EQ(colour["saved"].get<std::int64_t>(), 2 * colour["done"].get<std::int64_t>());
+    EXPECT_EQ(record("r.json")["final"]["channels"], 1);
+    ASSERT_EQ(run("solve grey -q -o r.json --effect colour=on --effect discontinuities=off --effect colour=on").status, 0);
+    EXPECT_EQ(effect("colour")["decision"], "on");
+    EXPECT_EQ(effect("colour")["reason"], "asked for: on");
+    EXPECT_EQ(record("r.json")["final"]["channels"], 3);
+    for (const char *part : {"ve-ev", "eee", "contact", "secondary"})
+        EXPECT_EQ(effect(std::string("discontinuities.") + part)["decision"], "off");
+    EXPECT_EQ(record("r.json")["final"]["curves"], 0);
+    for (const char *wrong : {"fog=on", "colour", "colour=maybe", "=on", "discontinuities.=on"}) {
+        const Result result = run(std::string("solve grey --effect ") + wrong);
+        EXPECT_EQ(result.status, 2) << wrong;
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << wrong << ": " << result.err;
     }
 }
 

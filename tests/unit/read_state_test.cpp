@@ -14,6 +14,13 @@ using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 /// Nothing in it is as it would be by default.
+EffectSwitches off_and_on() {
+    EffectSwitches out;
+    out[Effect::order] = Switch::on;
+    out[Effect::curves_eee] = Switch::off;
+    return out;
+}
+
 SavedState unusual() {
     SavedState s;
     s.scene = "room";
@@ -27,6 +34,7 @@ SavedState unusual() {
                  .max_depth = 9,
                  .max_iterations = 7,
                  .cut = CutChoice::best,
+                 .effects = off_and_on(),
                  .gather = GatherOrder::southwell};
     s.strategies = {Strategy::discontinuity_constant, Strategy::uniform_constant, Strategy::uniform_wavelet};
     s.reconstructed = {true, false, false};

@@ -44,7 +44,7 @@ TEST(TinyObj, AgreesOnTheBundledScenes) {
             }
         }
     }
-    EXPECT_EQ(n_compared, 3 + 3 + 15 + 6 + 4 + 8 + 15 + 14 + 32 + 15 + 8 + 5 + 310 + 10);
+    EXPECT_EQ(n_compared, 3 + 3 + 15 + 6 + 4 + 8 + 15 + 14 + 32 + 15 + 8 + 5 + 310 + 10 + 5 + 5 + 3 + 5 + 2 + 4 + 5);
 }
 
 } // namespace
