@@ -1,5 +1,6 @@
 #include "action.h"
 
+#include "effect_verbs.h"
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
 #include "profile_verbs.h"
@@ -54,6 +55,7 @@ bool uses_inspector(const State &s) {
 template <Shading shading>
 void use_shading(State &s) {
     s.look.shading = shading;
+    s.look.change.reset();
 }
 template <Shading shading>
 bool uses_shading(const State &s) {
@@ -72,7 +74,7 @@ bool shows_errors(const State &s) { return s.look.shading == Shading::error; }
 
 void flip_errors(State &s) {
     if (shows_errors(s))
-        s.look.shading = Shading::polynomial;
+        use_shading<Shading::polynomial>(s);
     else
         show_errors(s, s.look.error);
 }
@@ -179,6 +181,9 @@ const std::vector<Action> &list() {
         {"check.stop", Menu::solve, "Stop checking", "What has been measured stays.", {}, stop_check,
          [](const State &s) { return s.shelf.checking; }},
 
+        {"effects.by_scene", Menu::solve, "What the scene calls for", "Leaves every effect's switch to the scene; starts anew.",
+         {}, decide_by_scene, [](const State &s) { return has_scene(s) && !all_by_scene(s); }},
+
         {"strategy.a", Menu::strategy, "(a) Uniform meshing, constant basis",
          "Splits in four where the fit is poor; one value a patch.", {"1"}, use_strategy<Strategy::uniform_constant>,
          nullptr, uses_strategy<Strategy::uniform_constant>},
@@ -228,6 +233,9 @@ const std::vector<Action> &list() {
         {"view.cost", Menu::view, "Cost of accuracy",
          "Plots the error against seconds or work as one steps; a click on a point goes back to it.", {"A"},
          use_inspector<Inspector::cost>, has_scene, uses_inspector<Inspector::cost>},
+        {"view.effects", Menu::view, "Effects",
+         "What the scene calls for, and why; each effect can be switched, and what it changes be shown.", {"Y"},
+         use_inspector<Inspector::effects>, has_scene, uses_inspector<Inspector::effects>},
         {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop, in all panes.", {"E"},
          [](State &s) { change_exposure(s, 0.5); }},
         {"view.darker", Menu::view, "Darker", "Exposure down by half a stop, in all panes.", {"Shift+E"},

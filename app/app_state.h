@@ -109,7 +109,7 @@ struct ProfileMode {
 };
 
 /// What stands at the right of the panes.
-enum class Inspector { none, filters, hard_cases, cost };
+enum class Inspector { none, filters, hard_cases, cost, effects };
 
 /// Looking at the filters of one split; see microscope_verbs.h.
 struct Microscope {

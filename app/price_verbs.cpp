@@ -73,11 +73,8 @@ void ask_for_tolerance(AppState &state, const Options &options) {
     std::array<std::optional<Price>, 4> predicted;
     for (const Strategy s : all_strategies)
         predicted[static_cast<std::size_t>(s)] = price_tag(state, s, *options.tolerance);
-    const bool at_the_end = at_end(state);
-    set_options(state, options);
+    start_again(state, options);
     state.prices.predicted = predicted;
-    if (at_the_end) // it may take more steps than the one before
-        go_to(state, far_ahead);
 }
 
 std::vector<std::shared_ptr<const Snapshot>> compared(const AppState &state) {

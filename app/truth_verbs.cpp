@@ -51,9 +51,12 @@ TruthGoal truth_goal(const AppState &state) {
     if (!state.scene || state.truth.halted || !(errors || state.profile.open))
         return goal;
     goal.scene = state.scene;
+    goal.run = state.run;
+    if (errors)
+        goal.change = state.look.change;
     for (int pane = 0; pane < n_panes(state.layout); ++pane)
         if (const auto snapshot = state.shown_snapshot(pane);
-            snapshot && errors && !state.awaits_reconstruction(pane) && !state.truth.maps.contains(snapshot->version))
+            snapshot && errors && !state.awaits_reconstruction(pane) && !errors_of(state, pane))
             goal.solutions.push_back(snapshot);
     goal.profile = profile_question(state);
     return goal;
@@ -64,7 +67,7 @@ std::shared_ptr<const ErrorMap> errors_of(const AppState &state, int pane) {
     if (!snapshot)
         return nullptr;
     const auto found = state.truth.maps.find(snapshot->version);
-    return found == state.truth.maps.end() ? nullptr : found->second;
+    return found == state.truth.maps.end() || found->second->change != state.look.change ? nullptr : found->second;
 }
 
 void update_error_range(AppState &state) {
@@ -80,6 +83,7 @@ void update_error_range(AppState &state) {
             return;
         judged.push_back({snapshot.get(), map.get()});
         versions.push_back(map->version);
+        versions.push_back(map->change ? 1 + static_cast<std::uint64_t>(map->change->effect) : 0);
         kept.insert(kept.end(), {snapshot, map});
     }
     if (state.look.error_range && versions == state.truth.ranged)

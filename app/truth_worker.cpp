@@ -26,7 +26,7 @@ void TruthWorker::aim(TruthGoal goal) {
         if (running_ && !still_wanted(*running_))
             cancel_.raise();
     }
-    changed_.notify_one();
+    changed_goal_.notify_one();
 }
 
 std::vector<TruthReport> TruthWorker::take_reports() {
@@ -37,8 +37,12 @@ std::vector<TruthReport> TruthWorker::take_reports() {
 void TruthWorker::work(const std::stop_token &stop) {
     std::unique_lock lock(mutex_);
     bool rested = true;
+    const auto next = [&] {
+        forget_the_past();
+        return next_task();
+    };
     while (!stop.stop_requested()) {
-        if (auto task = next_task()) {
+        if (auto task = next()) {
             running_ = task;
             rested = false;
             lock.unlock();
@@ -49,37 +53,60 @@ void TruthWorker::work(const std::stop_token &stop) {
         } else {
             if (!std::exchange(rested, true))
                 report(TruthRested{});
-            changed_.wait(lock, stop, [&] { return next_task().has_value(); });
+            changed_goal_.wait(lock, stop, [&] { return next().has_value(); });
         }
     }
 }
 
+void TruthWorker::forget_the_past() {
+    if (goal_.scene && scene_ != goal_.scene) {
+        scene_ = goal_.scene;
+        mapper_.reset();
+        followed_ = 0;
+        changed_ = {};
+        mapped_.clear();
+        failed_ = false;
+    }
+    if (change_ != goal_.change || (change_ && run_ != goal_.run)) {
+        change_ = goal_.change;
+        changed_ = {};
+        mapped_.clear();
+        failed_ = false;
+    }
+    run_ = goal_.run;
+}
+
+ErrorMapper *TruthWorker::mapper_for(const TruthGoal &goal, const Snapshot &solution) const {
+    return goal.change ? changed_[static_cast<std::size_t>(solution.options.strategy)].get() : mapper_.get();
+}
+
 std::optional<TruthWorker::Task> TruthWorker::next_task() const {
-    const bool follow = goal_.profile.has_value();
-    if (!goal_.scene || (goal_.solutions.empty() && !follow))
+    if (!goal_.scene || failed_)
         return std::nullopt;
-    if (scene_ != goal_.scene)
-        return Task{Kind::find, goal_, nullptr};
-    if (failed_ || !mapper_)
-        return std::nullopt;
-    if (follow && goal_.profile->id != followed_)
-        return Task{Kind::follow, goal_, nullptr};
+    if (goal_.profile && goal_.profile->id != followed_)
+        return Task{mapper_ ? Kind::follow : Kind::find, goal_, nullptr};
     for (const auto &solution : goal_.solutions)
-        if (!mapped_.contains(solution->version))
-            return Task{Kind::map, goal_, solution};
+        if (!mapped_.contains(solution->version)) {
+            const Kind missing = goal_.change ? Kind::change : Kind::find;
+            return Task{mapper_for(goal_, *solution) ? Kind::map : missing, goal_, solution};
+        }
     return std::nullopt;
 }
 
 bool TruthWorker::still_wanted(const Task &task) const {
     if (goal_.scene != task.goal.scene)
         return false;
+    const auto wants = [&](const auto &solution) { return std::ranges::any_of(goal_.solutions, solution); };
     switch (task.kind) {
     case Kind::find:
-        return !goal_.solutions.empty() || goal_.profile;
+        return goal_.profile || (!goal_.solutions.empty() && !goal_.change);
+    case Kind::change:
+        return goal_.change == task.goal.change && goal_.run == task.goal.run &&
+               wants([&](const auto &s) { return s->options.strategy == task.solution->options.strategy; });
     case Kind::follow:
         return goal_.profile && goal_.profile->id == task.goal.profile->id;
     case Kind::map:
-        return std::ranges::find(goal_.solutions, task.solution) != goal_.solutions.end();
+        return goal_.change == task.goal.change && wants([&](const auto &s) { return s == task.solution; });
     }
     return false;
 }
@@ -89,6 +116,9 @@ void TruthWorker::do_task(const Task &task) {
         switch (task.kind) {
         case Kind::find:
             find(task);
+            break;
+        case Kind::change:
+            solve_changed(task);
             break;
         case Kind::follow: {
             const ProfileQuestion &q = *task.goal.profile;
@@ -100,11 +130,13 @@ void TruthWorker::do_task(const Task &task) {
             break;
         }
         case Kind::map: {
-            report(TruthDoing{"measuring the error"});
+            const char *mapping = task.goal.change ? "measuring the change" : "measuring the error";
+            report(TruthDoing{mapping});
             const auto told = [&](int percent) {
-                report(TruthDoing{"measuring the error: " + std::to_string(percent) + " %"});
+                report(TruthDoing{mapping + (": " + std::to_string(percent) + " %")});
             };
-            report(ErrorsMapped{task.goal.scene, mapper_->map(*task.solution, &cancel_, told)});
+            ErrorMapper &mapper = *mapper_for(task.goal, *task.solution);
+            report(ErrorsMapped{task.goal.scene, mapper.map(*task.solution, &cancel_, told)});
             const std::scoped_lock lock(mutex_);
             mapped_.insert(task.solution->version);
             break;
@@ -115,7 +147,6 @@ void TruthWorker::do_task(const Task &task) {
     } catch (const std::exception &e) {
         report(TruthFailed{e.what()});
         const std::scoped_lock lock(mutex_);
-        scene_ = task.goal.scene;
         failed_ = true;
     }
 }
@@ -132,13 +163,22 @@ void TruthWorker::find(const Task &task) {
     auto mapper = std::make_unique<ErrorMapper>(truth);
     {
         const std::scoped_lock lock(mutex_);
-        scene_ = task.goal.scene;
         mapper_ = std::move(mapper);
-        mapped_.clear();
-        followed_ = 0;
-        failed_ = false;
     }
     report(TruthFound{task.goal.scene, error});
+}
+
+void TruthWorker::solve_changed(const Task &task) {
+    const std::string with = "solving with " + words(*task.goal.change);
+    report(TruthDoing{with});
+    const auto told = [&](const Counters &c) {
+        report(TruthDoing{with + ": step " + std::to_string(c.iteration) + ", " + std::to_string(c.patches) + " patches"});
+    };
+    const Options &options = task.solution->options;
+    auto mapper = std::make_unique<ErrorMapper>(
+        with_change(task.goal.scene, options, *task.goal.change, &cancel_, told));
+    const std::scoped_lock lock(mutex_);
+    changed_[static_cast<std::size_t>(options.strategy)] = std::move(mapper);
 }
 
 void TruthWorker::report(TruthReport report) {

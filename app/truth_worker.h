@@ -7,6 +7,7 @@
 #include "iteration/profile.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -35,12 +36,14 @@ struct ProfileQuestion {
 /// What the window would know; all of one scene.
 struct TruthGoal {
     std::shared_ptr<const Scene> scene;
+    std::uint64_t run = 0;                                  ///< that the solutions are of
+    std::optional<EffectChange> change;                     ///< maps are of what it changes; none: of what misses the truth
     std::vector<std::shared_ptr<const Snapshot>> solutions; ///< to be mapped, the most wanted first
     std::optional<ProfileQuestion> profile;                 ///< goes before the maps
 
     bool operator==(const TruthGoal &o) const {
-        return scene == o.scene && solutions == o.solutions && profile.has_value() == o.profile.has_value() &&
-               (!profile || profile->id == o.profile->id);
+        return scene == o.scene && run == o.run && change == o.change && solutions == o.solutions &&
+               profile.has_value() == o.profile.has_value() && (!profile || profile->id == o.profile->id);
     }
 };
 
@@ -80,11 +83,11 @@ public:
     std::vector<TruthReport> take_reports();
 
 private:
-    enum class Kind { find, follow, map };
+    enum class Kind { find, change, follow, map };
     struct Task {
         Kind kind{};
         TruthGoal goal;
-        std::shared_ptr<const Snapshot> solution; ///< to be mapped
+        std::shared_ptr<const Snapshot> solution; ///< to be mapped, or whose options are to be changed
     };
 
     void work(const std::stop_token &stop);
@@ -92,12 +95,17 @@ private:
     bool still_wanted(const Task &task) const;
     void do_task(const Task &task);
     void find(const Task &task);
+    void solve_changed(const Task &task);
+    /// Lets go of what is of another scene, run or change than the goal's. While nothing runs.
+    void forget_the_past();
+    /// Against what the goal's maps are made; null: not known yet.
+    ErrorMapper *mapper_for(const TruthGoal &goal, const Snapshot &solution) const;
     void report(TruthReport report);
 
     std::function<void()> wake_;
 
     std::mutex mutex_; ///< guards all down to running_
-    std::condition_variable_any changed_;
+    std::condition_variable_any changed_goal_;
     TruthGoal goal_;
     std::optional<Task> running_;
 
@@ -105,11 +113,14 @@ private:
     std::vector<TruthReport> reports_;
 
     // Of the worker's thread, written while the mutex is held.
-    std::shared_ptr<const Scene> scene_; ///< that the mapper is of
-    std::unique_ptr<ErrorMapper> mapper_;
+    std::shared_ptr<const Scene> scene_; ///< that all of this is of
+    std::unique_ptr<ErrorMapper> mapper_; ///< null: the truth has not been asked for yet, or is not to be had
+    std::optional<EffectChange> change_; ///< that maps are of; none: of the truth
+    std::uint64_t run_ = 0;              ///< that changed solutions are of
+    std::array<std::unique_ptr<ErrorMapper>, 4> changed_; ///< by strategy: against the solution with the change
     std::set<std::uint64_t> mapped_; ///< versions
     int followed_ = 0;               ///< id of the last profile
-    bool failed_ = false;            ///< the truth about the scene is not to be had
+    bool failed_ = false;            ///< what maps are made against is not to be had
     Cancel cancel_;
     std::jthread thread_; ///< last: it uses all the above
 };

@@ -1,10 +1,10 @@
 #include "verbs.h"
 
+#include "core/sentence.h"
 #include "keyhole_verbs.h"
 #include "restore.h"
 
 #include <algorithm>
-#include <cctype>
 #include <type_traits>
 
 namespace penumbra {
@@ -25,12 +25,6 @@ bool all_ended(const AppState &state) {
 
 bool all_reached(const AppState &state) {
     return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.timeline(s).reached(state.position); });
-}
-
-std::string as_sentence(std::string words) {
-    if (!words.empty())
-        words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words + ".";
 }
 
 std::string end_sentence(const AppState &state) {
@@ -199,6 +193,13 @@ void set_options(AppState &state, const Options &options) {
     state.options = options;
     start_anew(state);
     state.message = {"Starting anew with these options.", false};
+}
+
+void start_again(AppState &state, const Options &options) {
+    const bool at_the_end = at_end(state);
+    set_options(state, options);
+    if (at_the_end)
+        go_to(state, far_ahead);
 }
 
 void set_strategy(AppState &state, Strategy strategy) {

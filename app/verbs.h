@@ -24,6 +24,8 @@ double advance_play(AppState &state, Clock::time_point now);
 
 /// Throws away what was computed and starts anew with these options; the position asked for stays.
 void set_options(AppState &state, const Options &options);
+/// The same; what had come to its end goes to the end again, which may take more steps.
+void start_again(AppState &state, const Options &options);
 /// Shows this strategy in the active pane.
 void set_strategy(AppState &state, Strategy strategy);
 /// Draws the active pane's constants as quadratics, or as they are again.

@@ -183,6 +183,15 @@ void add_look_options(CLI::App &parser, LookOptions &options) {
             "reflected radiosity), patch (the L2 error of each patch) or estimate (that over what the oracle saw)")
         ->check(CLI::IsMember({"signed", "relative", "patch", "estimate"}));
     parser.add_option_function<std::string>(
+        "--change",
+        [&](const std::string &text) {
+            options.look.change = effect_change_from(text);
+            if (!options.look.change)
+                refuse("--change", text, "an effect's name with =on or =off, as visibility=off");
+            options.look.shading = Shading::error;
+        },
+        "NAME=on|off: errors from the same solution with this effect switched so, in place of the truth: what the effect changes");
+    parser.add_option_function<std::string>(
         "--error-range",
         [&](const std::string &text) { options.look.error_range = error_range_from("--error-range", text); },
         "LOW:HIGH of the error's scale, in W/m\u00b2 (signed) or as a share or ratio above 0; from the values unless "

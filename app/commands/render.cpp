@@ -181,6 +181,15 @@ Truth find_truth(const std::shared_ptr<const Scene> &scene, const Cancel &cancel
                     find_reference(scene, picture_tolerance, &cancel, [&](const Counters &c) { progress->show(c); }));
 }
 
+/// What changes of effects are told from.
+Truth find_changed(const std::shared_ptr<const Scene> &scene, const Options &options, const EffectChange &change,
+                   const Cancel &cancel, const CommonOptions &common) {
+    if (!common.quiet)
+        say_notes({"solving with " + text_of(change)});
+    Progress progress(options, common.quiet, common.verbose);
+    return with_change(scene, options, change, &cancel, [&](const Counters &c) { progress.show(c); });
+}
+
 /// Steps to the position asked for, whose last iteration may stop after a phase.
 void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Progress &progress) {
     const int most = solver.options().max_iterations;
@@ -198,9 +207,16 @@ void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Prog
 /// Gives every pane its map of errors, where they are shown, and makes the profile along the line, if there is one.
 std::optional<ProfileData> judge(const std::shared_ptr<const Scene> &scene, PictureSpec &spec, const Cancel &cancel,
                                  const CommonOptions &common) {
-    const Truth truth = find_truth(scene, cancel, common);
-    if (spec.look.shading == Shading::error) {
-        ErrorMapper mapper(truth);
+    const bool changes = spec.look.shading == Shading::error && spec.look.change;
+    std::optional<Truth> truth;
+    if (!changes || spec.profile)
+        truth = find_truth(scene, cancel, common);
+    if (changes) {
+        for (PicturePane &pane : spec.panes)
+            pane.errors = ErrorMapper(find_changed(scene, pane.snapshot->options, *spec.look.change, cancel, common))
+                              .map(*pane.snapshot, &cancel);
+    } else if (spec.look.shading == Shading::error) {
+        ErrorMapper mapper(*truth);
         for (PicturePane &pane : spec.panes)
             pane.errors = mapper.map(*pane.snapshot, &cancel);
     }
@@ -209,7 +225,7 @@ std::optional<ProfileData> judge(const std::shared_ptr<const Scene> &scene, Pict
     std::vector<std::shared_ptr<const Snapshot>> solutions;
     for (const PicturePane &pane : spec.panes)
         solutions.push_back(pane.snapshot);
-    return profile_along(*spec.profile, solutions, truth, &cancel);
+    return profile_along(*spec.profile, solutions, *truth, &cancel);
 }
 
 /// An error's scale has its middle at no error, and powers only of what is above 0.
@@ -288,7 +304,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
             profile = judge(scene, spec, interrupt.cancel(), common);
     } catch (const Cancelled &) {
         complain(interrupt.sentence() +
-                 " before the truth was known that errors are measured against; nothing was written");
+                 " before it was known what errors are measured against; nothing was written");
         return interrupt.exit_status();
     }
     spec.camera = camera_of(options, *scene, first, pane_aspect(spec));

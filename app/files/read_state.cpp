@@ -190,6 +190,8 @@ void read_error(const JsonValue &json, SavedState &state) {
             range->fail("has a low end that is not above 0, as the kind asks for");
     }
     read_flag(json, "locked", state.error_range_locked);
+    if (const auto change = json.known("change"))
+        look.change = named(*change, effect_change_from, "an effect's name with =on or =off");
 }
 
 void read_look(const JsonValue &root, SavedState &state) {

@@ -38,7 +38,7 @@ Json price(const AppState &s) {
 }
 
 std::string_view name(Inspector inspector) {
-    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost"};
+    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost", "effects"};
     return names[static_cast<std::size_t>(inspector)];
 }
 
@@ -62,7 +62,8 @@ Json pane(const AppState &s, int pane) {
         j["error_bound"] = known(snapshot->counters.error_bound);
         j["version"] = snapshot->version;
         const auto map = s.truth.maps.find(snapshot->version);
-        j["error"] = map != s.truth.maps.end() ? Json(map->second->error()) : Json();
+        const bool known = map != s.truth.maps.end() && map->second->change == s.look.change;
+        j["error"] = known ? Json(map->second->error()) : Json();
     }
     return j;
 }

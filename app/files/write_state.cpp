@@ -81,7 +81,8 @@ Json state_json(const SavedState &s) {
     j["shading"] = name(look.shading);
     j["error"] = {{"kind", name(look.error)},
                   {"range", look.error_range ? Json::array({look.error_range->low, look.error_range->high}) : Json()},
-                  {"locked", s.error_range_locked}};
+                  {"locked", s.error_range_locked},
+                  {"change", look.change ? Json(text_of(*look.change)) : Json()}};
     j["false_colour"] = look.false_colour;
     j["exposure"] = look.exposure_ev;
     j["range"] = look.range ? Json::array({look.range->low, look.range->high}) : Json();

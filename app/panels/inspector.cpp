@@ -1,4 +1,4 @@
-// At the right of the panes: the filter microscope, the shelf of hard cases, or what accuracy costs.
+// At the right of the panes: the filter microscope, the shelf of hard cases, what accuracy costs, or the ledger of effects.
 #include "panels/controls.h"
 #include "panels/panels.h"
 
@@ -8,16 +8,20 @@ void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts)
     if (state.inspector == Inspector::none)
         return;
     begin_panel("inspector", rect);
-    const float third = (ImGui::GetContentRegionAvail().x - 2) / 3;
-    action_button(state, "view.filters", "Filters", {third, 0});
+    const float quarter = (ImGui::GetContentRegionAvail().x - 3) / 4;
+    action_button(state, "view.filters", "Filters", {quarter, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "view.hard_cases", nullptr, {third, 0});
+    action_button(state, "view.hard_cases", nullptr, {quarter, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "view.cost", "Cost", {third, 0});
+    action_button(state, "view.cost", "Cost", {quarter, 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "view.effects", nullptr, {quarter, 0});
     if (state.inspector == Inspector::filters)
         draw_microscope(state);
     else if (state.inspector == Inspector::hard_cases)
         draw_hard_cases(state);
+    else if (state.inspector == Inspector::effects)
+        draw_effects(state);
     else
         draw_cost(state, fonts);
     ImGui::End();

@@ -73,7 +73,7 @@ void draw_tool_bar(AppState &state, const WindowRect &rect) {
     gap();
     action_button(state, "view.keyhole");
     ImGui::SameLine();
-    action_button(state, "view.filters", "Filters");
+    action_button(state, "view.effects");
     ImGui::SameLine();
     action_button(state, "view.hard_cases");
     ImGui::SameLine();

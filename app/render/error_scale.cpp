@@ -97,8 +97,21 @@ glm::dvec3 error_colour(ErrorKind kind, const Range &range, double value) {
     return is_diverging(kind) ? diverging(2 * t - 1) : cividis(t);
 }
 
-std::string error_heading(ErrorKind kind) {
-    switch (kind) {
+std::string error_heading(const Look &look) {
+    if (look.change) {
+        const std::string other = words(*look.change);
+        switch (look.error) {
+        case ErrorKind::signed_error:
+            return "B\u2095 \u2212 B with " + other + ", mean of R, G, B [W/m\u00b2]";
+        case ErrorKind::relative:
+            return "change with " + other + " / peak of B \u2212 E, rms of R, G, B";
+        case ErrorKind::patch:
+            return "L\u00b2 change of each patch with " + other + " / \u2016B \u2212 E\u2016";
+        case ErrorKind::estimate:
+            return "L\u00b2 change of each patch with " + other + " / estimated error";
+        }
+    }
+    switch (look.error) {
     case ErrorKind::signed_error:
         return "error B\u2095 \u2212 B, mean of R, G, B [W/m\u00b2]";
     case ErrorKind::relative:

@@ -36,7 +36,7 @@ double place(ErrorKind kind, const Range &range, double value);
 /// sRGB.
 glm::dvec3 error_colour(ErrorKind kind, const Range &range, double value);
 /// Above the scale, with the unit.
-std::string error_heading(ErrorKind kind);
+std::string error_heading(const Look &look);
 /// In a sentence, for tooltips and help.
 std::string_view error_sentence(ErrorKind kind);
 

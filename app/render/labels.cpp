@@ -91,7 +91,9 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const Err
         label.title += ", on polygons";
     label.figures = {counted(c.patches, "patch", "patches"), counted(c.coefficients, "coefficient", "coefficients")};
     const double error = errors ? errors->error() : snapshot.error;
-    if (error >= 0)
+    if (errors && errors->change)
+        label.figures.push_back("changed by " + three_digits(100 * error) + " % with " + words(*errors->change));
+    else if (error >= 0)
         label.figures.push_back("error " + three_digits(100 * error) + " %");
     else if (c.estimated_error >= 0)
         label.figures.push_back("error about " + percent(c.estimated_error));

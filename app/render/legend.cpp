@@ -85,9 +85,10 @@ std::string power_text(ErrorKind kind, double value) {
     return text;
 }
 
-Scale error_scale(ErrorKind kind, const Range &range, double n) {
+Scale error_scale(const Look &look, const Range &range, double n) {
+    const ErrorKind kind = look.error;
     Scale scale;
-    scale.heading = error_heading(kind);
+    scale.heading = error_heading(look);
     const auto add = [&](double v, const std::string &text) { scale.ticks.emplace_back(place(kind, range, v), text); };
     if (is_logarithmic(kind)) {
         const int first = static_cast<int>(std::ceil(std::log10(range.low) - 1e-6)),
@@ -112,7 +113,7 @@ Scale error_scale(ErrorKind kind, const Range &range, double n) {
 /// With about n ticks.
 Scale scale_of(const Look &look, const Range &range, double n) {
     if (look.shading == Shading::error && look.error_range)
-        return error_scale(look.error, *look.error_range, n);
+        return error_scale(look, *look.error_range, n);
     return radiosity_scale(look, range, n);
 }
 

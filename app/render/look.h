@@ -60,6 +60,7 @@ struct Look {
     bool false_colour = false;  ///< cividis over the range, in place of true colour
     bool emphasise_fresh = true; ///< patches made in this iteration are outlined brighter
     ErrorKind error = ErrorKind::signed_error; ///< that Shading::error shows
+    std::optional<EffectChange> change; ///< errors are from a solution with this effect switched otherwise; none: from the truth
     std::optional<Range> error_range; ///< of that kind; none: whoever draws takes error_range() of all panes
     CurveFilter curve_filter;
     Spotlight spotlight;

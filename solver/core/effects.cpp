@@ -44,4 +44,23 @@ std::span<const Effect> effects_from_name(std::string_view text) {
     return {};
 }
 
+std::string words(const EffectChange &change) {
+    return std::string(name(change.effect)) + " " + std::string(name(change.to));
+}
+
+std::string text_of(const EffectChange &change) {
+    return std::string(name(change.effect)) + "=" + std::string(name(change.to));
+}
+
+std::optional<EffectChange> effect_change_from(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos)
+        return std::nullopt;
+    const auto effects = effects_from_name(text.substr(0, equals));
+    const auto to = switch_from_name(text.substr(equals + 1));
+    if (effects.size() != 1 || !to || *to == Switch::automatic)
+        return std::nullopt;
+    return EffectChange{effects.front(), *to};
+}
+
 } // namespace penumbra

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace penumbra {
@@ -61,5 +62,19 @@ private:
 };
 
 using EffectSwitches = ByEffect<Switch>;
+
+/// One switch set otherwise, to see what that changes.
+struct EffectChange {
+    Effect effect{};
+    Switch to{}; ///< on or off
+    bool operator==(const EffectChange &) const = default;
+};
+
+/// "visibility off"; for people.
+std::string words(const EffectChange &change);
+/// "visibility=off"; the public form.
+std::string text_of(const EffectChange &change);
+/// None unless it is one effect, on or off.
+std::optional<EffectChange> effect_change_from(std::string_view text);
 
 } // namespace penumbra

@@ -79,9 +79,11 @@ std::shared_ptr<const ErrorMap> ErrorMapper::map(const Snapshot &snapshot, const
     auto map = std::make_shared<ErrorMap>();
     map->version = snapshot.version;
     map->truth_error = truth_.error;
+    map->change = truth_.change;
     map->patches.resize(n_patches);
     std::vector<Values> values(n_patches);
     std::vector<double> reflected(n_patches), peak(n_patches);
+    std::vector<double> own_reflected(n_patches); // of the solution that is judged
     std::atomic<std::size_t> done{0};
     parallel_for(n_patches, [&](std::size_t i) {
         const SnapshotPatch &patch = snapshot.patches[i];
@@ -119,7 +121,10 @@ std::shared_ptr<const ErrorMap> ErrorMapper::map(const Snapshot &snapshot, const
                     const Rgb bounced = truth - surface.exitance;
                     out.square += weight * out.missed.back().square().sum();
                     reflected[i] += weight * bounced.square().sum();
+                    own_reflected[i] += weight * (ours - surface.exitance).square().sum();
                     peak[i] = std::max(peak[i], bounced.maxCoeff());
+                    if (truth_.change)
+                        peak[i] = std::max(peak[i], (ours - surface.exitance).maxCoeff());
                 }
             }
         if (!values[i])
@@ -128,13 +133,17 @@ std::shared_ptr<const ErrorMap> ErrorMapper::map(const Snapshot &snapshot, const
         if (told && 100 * n / n_patches != 100 * (n - 1) / n_patches)
             told(static_cast<int>(100 * n / n_patches));
     });
+    double own = 0;
     for (std::size_t i = 0; i < n_patches; ++i) {
         if (!values[i])
             continue;
+        own += own_reflected[i];
         map->reflected += reflected[i];
         map->peak = std::max(map->peak, peak[i]);
         known_.try_emplace(key_of(snapshot.patches[i], map->patches[i].n), values[i]);
     }
+    if (truth_.change)
+        map->reflected = std::max(map->reflected, own);
     return map;
 }
 

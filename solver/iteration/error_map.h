@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace penumbra {
@@ -28,6 +29,7 @@ struct ErrorMap {
     double reflected = 0;            ///< integral of (B - E)^2 over the reflecting surfaces, the channels together
     double peak = 0;                 ///< largest B - E at a point of a lattice, of any channel [W/m2]
     double truth_error = 0;          ///< Truth::error
+    std::optional<EffectChange> change; ///< Truth::change: for "truth" and B read "the changed solution"; `reflected` is of the brighter of the two
 
     /// ||B_h - B|| / ||B - E||: the root of the sum of the patches' squares, as Snapshot::error.
     double error() const;

@@ -1,11 +1,13 @@
 // What radiosity on a scene really is, in the frame that snapshots have.
 #pragma once
 
+#include "core/cancel.h"
 #include "iteration/snapshot.h"
 #include "measure/reference.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace penumbra {
 
@@ -13,9 +15,15 @@ namespace penumbra {
 struct Truth {
     std::function<Rgb(int surface, const Vec2 &point)> radiosity_at; ///< B [W/m2] at a point of the surface's plane
     double error = 0;                                                ///< its own relative L2 error, about; 0: exact
+    std::optional<EffectChange> change{}; ///< no truth, but a solution with this one effect switched otherwise
 };
 
 /// A reference (measure/reference.h) asked in the scene's own frame.
 Truth truth_of(std::shared_ptr<const Scene> scene, std::shared_ptr<const Reference> reference);
+
+/// In place of the truth: the solution by the same options but for one switch, brought to its end. What a solution misses of
+/// it is what the effect changes. `told` hears of every step. Throws Cancelled.
+Truth with_change(std::shared_ptr<const Scene> scene, Options options, const EffectChange &change,
+                  const Cancel *cancel = nullptr, const std::function<void(const Counters &)> &told = {});
 
 } // namespace penumbra

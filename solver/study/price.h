@@ -46,7 +46,7 @@ PriceGrowth usual_growth(const Options &options, bool one_bounce);
 
 /// Price for the tolerance, of which solutions use up `used_up` on the average. Between two errors whose price was paid: on a straight line in logarithms. Beyond: from the
 /// nearest one with an exponent that balances the usual one with least squares through all that was paid (a normal prior of
-/// the usual exponent and its spread; logarithms of prices scatter by 0.3), so that a single price is enough. Nothing
+/// the usual exponent and its spread; logarithms of prices scatter by 0.6), so that a single price is enough. Nothing
 /// without one.
 std::optional<Price> predict_price(std::span<const PricePaid> paid, const PriceGrowth &usual, double tolerance);
 

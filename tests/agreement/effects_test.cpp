@@ -1,4 +1,5 @@
 // What is left out because a scene does not call for it: nothing that would be seen.
+#include "iteration/error_map.h"
 #include "iteration/solver.h"
 #include "iteration/state.h"
 #include "measure/leaf_at.h"
@@ -184,6 +185,23 @@ TEST(Effects, OffLeavesOutWhatItSays) {
     EXPECT_EQ(grey->counters().channels, 1);
     const State &state = *grey->state();
     EXPECT_LT((state.radiosity.col(0) - state.radiosity.col(2)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Effects, ChangesAreMapped) {
+    const auto scene = std::make_shared<const Scene>(open_scene("cornell-box"));
+    const Options options = Options().to_threshold(0.05);
+    const auto whole = solved(scene, options, {});
+    const EffectChange change{Effect::visibility, Switch::off};
+    EffectSwitches switches;
+    switches[change.effect] = change.to;
+    const auto other = solved(scene, options, switches);
+    const auto map = ErrorMapper(with_change(scene, options, change)).map(*whole->snapshot());
+    EXPECT_EQ(map->change, change);
+    // Without shadows it is brighter: that is what the map's shares are of.
+    EXPECT_NEAR(map->error(), difference(*other, *whole), 0.05 * map->error());
+    const auto same = ErrorMapper(with_change(scene, options, {Effect::two_sided, Switch::on})).map(*whole->snapshot());
+    EXPECT_LT(same->error(), 1e-9);
+    EXPECT_GT(same->reflected, 0);
 }
 
 // --- Scenes on which a plan could err: solved both ways.

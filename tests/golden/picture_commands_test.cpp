@@ -201,7 +201,7 @@ TEST_F(PictureCommands, ErrorPicturesTellTheirKindAndRange) {
     EXPECT_EQ(state("signed.png")["shading"], "error");
     EXPECT_EQ(state("signed.png")["error"]["kind"], "signed");
     EXPECT_EQ(state("patch.png")["error"],
-              nlohmann::json::parse(R"({"kind": "patch", "range": [1e-4, 0.1], "locked": true})"));
+              nlohmann::json::parse(R"({"kind": "patch", "range": [1e-4, 0.1], "locked": true, "change": null})"));
     // The picture's state draws it again.
     ASSERT_EQ(run("render patch.png -o again.png"), 0) << text(folder / ".err");
     EXPECT_EQ(state("again.png")["error"], state("patch.png")["error"]);

@@ -55,6 +55,7 @@ const std::map<std::string, Expected> &expectations() {
         {"view.filters", {"/inspector", "filters", {}}},
         {"view.hard_cases", {"/inspector", "hard_cases", {"view.filters"}}},
         {"view.cost", {"/inspector", "cost", {}}},
+        {"view.effects", {"/inspector", "effects", {}}},
         {"view.panels", {"/panels_hidden", true, {}}},
         {"view.theme", {"/background", "light", {}}},
         {"view.larger", {"/ui_scale", nullptr, {}}},
@@ -79,7 +80,7 @@ const std::map<std::string, Expected> &expectations() {
 
 /// Left again afterwards by the same key, so that it can't disturb what follows.
 const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme", "view.keyhole",
-                                     "view.filters",       "view.hard_cases", "view.cost", "view.profile", "layers.error", "error.lock",
+                                     "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.profile", "layers.error", "error.lock",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
                                      "layers.false_colour", "layers.legend", "help.keys"};
 

@@ -44,6 +44,7 @@ SavedState unusual() {
     s.camera = Camera{{0.1, -1e-17, 1e9}, {2, 3, 5}, {0.6, 0.8, 0}, 0.1 + 0.2};
     s.look.shading = Shading::error;
     s.look.error = ErrorKind::relative;
+    s.look.change = EffectChange{Effect::two_sided, Switch::on};
     s.look.error_range = Range{1e-5, 1.0 / 3};
     s.error_range_locked = true;
     s.look.layers = {false, false, true};
@@ -186,6 +187,8 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("profile": [[0, 0, 0], [0, 0]])", "profile[1] has 2 numbers; give x, y and z"},
         {R"("shading": "round")", "shading is 'round'; give polynomial, flat, linear or error"},
         {R"("error": {"kind": "big"})", "error.kind is 'big'; give signed, relative, patch or estimate"},
+        {R"("error": {"change": "shade=off"})", "error.change is 'shade=off'; give an effect's name with =on or =off"},
+        {R"("error": {"change": "discontinuities=off"})", "error.change is 'discontinuities=off'; give an effect's name"},
         {R"("error": {"kind": "patch", "range": [0, 1]})", "error.range has a low end that is not above 0"},
         {R"("exposure": 41)", "exposure is 41; give a number from -40 to 40"},
         {R"("range": [2, 1])", "range is 2 to 1; give the low end first"},
