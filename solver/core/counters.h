@@ -54,6 +54,7 @@ struct Counters {
     std::int64_t links = 0;
     std::int64_t lower_links = 0; ///< of a lower order than the one asked for, on either side
     std::int64_t link_coefficients = 0; ///< K_ij of all links: what one gather multiplies with
+    std::int64_t spared_link_coefficients = 0; ///< that these links would have besides, were all orders the full ones
     std::int64_t link_bytes = 0;        ///< memory that they take, with the gather's copies; known once gathered
     int channels = 3;         ///< that are solved for; the others are multiples of these
     int curves = 0;           ///< known so far: of emitters, and of reflectors whose light needed them

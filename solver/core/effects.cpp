@@ -20,7 +20,7 @@ constexpr std::array<Naming, n_effects> namings{{{"emission", "pairs"},
                                                  {"discontinuities.secondary", "traced_reflectors"},
                                                  {"interreflection", "pairs"},
                                                  {"colour", "products"},
-                                                 {"order", "kernel_evaluations"}}};
+                                                 {"order", "link_coefficients"}}};
 
 } // namespace
 

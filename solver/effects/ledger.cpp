@@ -18,7 +18,7 @@ public:
         : scene_(scene), options_(options), plan_(plan), counters_(counters), work_(counters.total_work) {}
 
     LedgerEntry entry(Effect effect) const {
-        LedgerEntry out{effect, Decision::on, "", work_.spared[effect], done(effect)};
+        LedgerEntry out{effect, Decision::on, "", spared(effect), done(effect)};
         const Switch asked = options_.effects[effect];
         if (asked != Switch::automatic) {
             out.decision = asked == Switch::on ? Decision::on : Decision::off;
@@ -30,6 +30,10 @@ public:
     }
 
 private:
+    std::int64_t spared(Effect effect) const {
+        return effect == Effect::order ? counters_.spared_link_coefficients : work_.spared[effect];
+    }
+
     std::int64_t done(Effect effect) const {
         switch (effect) {
         case Effect::emission:
@@ -42,7 +46,7 @@ private:
         case Effect::curves_contact: return work_.traced_pairs;
         case Effect::curves_secondary: return work_.traced_reflectors;
         case Effect::colour: return work_.products;
-        case Effect::order: return work_.kernel_evaluations;
+        case Effect::order: return counters_.link_coefficients;
         }
         return 0;
     }
@@ -180,7 +184,7 @@ private:
             return off(out, fmt::format("constants do for all {}", plural(counters_.links, "link", "links")));
         out.decision = out.saved > 0 ? Decision::partial : Decision::on;
         out.reason = out.saved > 0
-                         ? fmt::format("lower orders do for {} of {} links: {} of the kernel evaluations spared",
+                         ? fmt::format("lower orders do for {} of {} links: {} of the coefficients spared",
                                        counters_.lower_links, counters_.links, share(out))
                          : fmt::format("every link calls for order {}", options_.effective_order());
     }

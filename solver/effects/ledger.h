@@ -21,7 +21,7 @@ struct LedgerEntry {
     Decision decision = Decision::on;
     std::string reason;     ///< a sentence with figures
     /// Work that was not done and would have been done with the effect's switch on, in its unit. A count of what was left out
-    /// where it was left out; of links of lower order from a model: the full order's points at what a point of theirs cost.
+    /// where it was left out.
     std::int64_t saved = 0;
     std::int64_t done = 0;  ///< work of that unit that was done
 };

@@ -5,6 +5,7 @@
 #include "iteration/allowance.h"
 #include "iteration/candidates.h"
 #include "iteration/known_curves.h"
+#include "transport/point_transfer.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,7 +29,7 @@ struct Request {
     Candidates candidates;
     std::vector<ElementId> sources;
     std::shared_ptr<const Interaction> before; ///< of the same pair, to be replaced; none when the pair is new
-    bool fine = false, again = false;
+    bool fine = false;
 };
 
 enum class Verdict { keep, relink, fail };
@@ -252,7 +253,7 @@ private:
             else if (j.verdict == Verdict::fail && !at_limit)
                 descend(node, *here[i], j);
             else
-                requests_.push_back({node, here[i]->source, here[i]->candidates(), j.sources, j.afresh ? nullptr : here[i], fine, j.afresh});
+                requests_.push_back({node, here[i]->source, here[i]->candidates(), j.sources, j.afresh ? nullptr : here[i], fine});
         }
         here = std::move(kept);
     }
@@ -316,10 +317,8 @@ private:
         std::vector<Work> work(requests_.size());
         parallel_for(requests_.size(), [&](std::size_t i) {
             const Request &r = requests_[i];
-            Leeway spare = leeway(r.receiver, r.source);
-            spare.again = r.again;
-            made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources, spare, work[i],
-                              r.before.get(), r.fine);
+            made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources,
+                              leeway(r.receiver, r.source), work[i], r.before.get(), r.fine);
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
             state_.counters.work += work[i];
@@ -341,6 +340,7 @@ private:
                     ++c.links;
                     c.lower_links += interaction->order < element.basis.order() || link.left_out.size() > 0;
                     c.link_coefficients += link.kernel.size();
+                    c.spared_link_coefficients += element.basis.n_functions() * n_columns(scene_, state_.forest[link.source]) - link.kernel.size();
                 }
             if (!element.leaf() || !scene_.reflects(element.surface))
                 continue;

@@ -9,45 +9,50 @@ namespace penumbra {
 
 namespace {
 
-/// Of a price's logarithm. From one measurement of a run to the next it is 0.26; but a run has paid for all its attempts
-/// so far, so that prices on the way rise faster than those of whole runs, and say less of the next one.
-constexpr double scatter = 0.6;
+/// Of a price's logarithm: of time on a busy machine, of patches from step to step. On the way to a smaller error a run has paid
+/// for attempts as well, so that its prices rise faster than those of whole runs, and say less of the next one.
+double scatter(const PricePaid &p) { return p.on_the_way ? 0.6 : 0.3; }
 
-/// Logarithm of 1/error, and of one part of the price at it.
+/// Logarithm of 1/error, and of one part of the price at it; weight: 1 / its variance.
 struct Sample {
-    double x, y;
+    double x, y, weight;
 };
 using Samples = std::vector<Sample>;
 
-/// By x; of one and the same x their mean.
+/// By x; of one and the same x their mean, which weighs as much as the surest of them.
 Samples in_order(Samples samples) {
     std::ranges::sort(samples, {}, &Sample::x);
     Samples out;
     for (std::size_t i = 0; i < samples.size();) {
-        double sum = 0;
+        double sum = 0, weights = 0, most = 0;
         std::size_t j = i;
-        for (; j < samples.size() && samples[j].x <= samples[i].x + 1e-9; ++j)
-            sum += samples[j].y;
-        out.push_back({samples[i].x, sum / static_cast<double>(j - i)});
+        for (; j < samples.size() && samples[j].x <= samples[i].x + 1e-9; ++j) {
+            sum += samples[j].weight * samples[j].y;
+            weights += samples[j].weight;
+            most = std::max(most, samples[j].weight);
+        }
+        out.push_back({samples[i].x, sum / weights, most});
         i = j;
     }
     return out;
 }
 
 double fitted_exponent(const Samples &samples, double usual, double spread) {
-    const auto n = static_cast<double>(samples.size());
-    double x = 0, y = 0;
+    double weights = 0, x = 0, y = 0;
     for (const Sample &s : samples) {
-        x += s.x / n;
-        y += s.y / n;
+        weights += s.weight;
+        x += s.weight * s.x;
+        y += s.weight * s.y;
     }
+    x /= weights;
+    y /= weights;
     double xx = 0, xy = 0;
     for (const Sample &s : samples) {
-        xx += (s.x - x) * (s.x - x);
-        xy += (s.x - x) * (s.y - y);
+        xx += s.weight * (s.x - x) * (s.x - x);
+        xy += s.weight * (s.x - x) * (s.y - y);
     }
-    const double data = 1 / (scatter * scatter), prior = 1 / (spread * spread);
-    return std::max(0.0, (xy * data + usual * prior) / (xx * data + prior));
+    const double prior = 1 / (spread * spread);
+    return std::max(0.0, (xy + usual * prior) / (xx + prior));
 }
 
 double predicted(const Samples &samples, double exponent, double x) {
@@ -67,9 +72,10 @@ double links_threshold(double tolerance) { return 2 * tolerance; }
 
 std::optional<PricePaid> price_paid(const Options &options, const Counters &c, double true_error) {
     PricePaid paid{c.error_limit, c.threshold, {c.seconds, static_cast<double>(c.link_bytes), static_cast<double>(c.patches)}};
-    if (options.tolerance)
+    if (options.tolerance) {
         paid.threshold = links_threshold(*options.tolerance);
-    else
+        paid.on_the_way = !c.converged;
+    } else
         paid.error = c.settled ? true_error : 0;
     if (!(paid.error > 0 && c.seconds > 0))
         return std::nullopt;
@@ -86,7 +92,8 @@ std::optional<Price> predict_price(std::span<const PricePaid> paid, const PriceG
         Samples samples;
         for (const PricePaid &p : paid)
             samples.push_back({-std::log(p.error), std::log(std::max(p.price.*of, 1e-9)) -
-                                                       (with_fine_links ? log_fine_links(p.threshold) : 0)});
+                                                       (with_fine_links ? log_fine_links(p.threshold) : 0),
+                               1 / (scatter(p) * scatter(p))});
         samples = in_order(std::move(samples));
         const double y = predicted(samples, fitted_exponent(samples, exponent, usual.spread), -std::log(used_up * tolerance));
         return std::exp(y + (with_fine_links ? log_fine_links(links_threshold(tolerance)) : 0));

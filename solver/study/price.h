@@ -21,6 +21,7 @@ struct PricePaid {
     double error = 0;     ///< relative L2: its upper limit, as measured, or the true one
     double threshold = 1; ///< that its links were made for (Setting::transport)
     Price price;
+    bool on_the_way = false; ///< not what a whole run to that error costs: what a run to a smaller one had spent by then
 };
 
 /// Of a state in a run to a tolerance; nothing where its error was not measured. In a run to a threshold: of a settled state
@@ -46,7 +47,7 @@ PriceGrowth usual_growth(const Options &options, bool one_bounce);
 
 /// Price for the tolerance, of which solutions use up `used_up` on the average. Between two errors whose price was paid: on a straight line in logarithms. Beyond: from the
 /// nearest one with an exponent that balances the usual one with least squares through all that was paid (a normal prior of
-/// the usual exponent and its spread; logarithms of prices scatter by 0.6), so that a single price is enough. Nothing
+/// the usual exponent and its spread; logarithms of prices scatter by 0.3, on the way by 0.6), so that a single price is enough. Nothing
 /// without one.
 std::optional<Price> predict_price(std::span<const PricePaid> paid, const PriceGrowth &usual, double tolerance);
 

@@ -45,13 +45,11 @@ public:
 
     /// Kernel, misfit and what was left out, of all nodes in their order. `order`: to be taken; 0: of its own choice.
     void run(int order) {
-        const std::int64_t before = work_.kernel_evaluations;
         if (out_.weak) {
             out_.order = 1;
             kernel = project(nodes_, transport_.accuracy);
             misfit.resize(0, kernel.cols());
             left_out.resize(nodes_.size());
-            count_spared(before, far_evaluations());
             return;
         }
         const Rows transfers = look();
@@ -65,7 +63,6 @@ public:
             out_.order = p_.basis.order();
             fit(transfers);
         }
-        count_spared(before, probed_);
     }
 
     const std::vector<SourceNode> &nodes() const { return nodes_; }
@@ -75,31 +72,6 @@ public:
     std::vector<Eigen::VectorXd> left_out;
 
 private:
-    /// What the full orders would have taken in evaluations, at every point that they look at as many as `a_point`, less what
-    /// was taken.
-    void count_spared(std::int64_t before, double a_point) {
-        out_.full_evaluations = a_point;
-        if (leeway_.misfit <= 0 && !out_.weak)
-            return;
-        const double n_tiles = static_cast<double>(p_.basis.n_tiles());
-        const double tests = out_.weak ? 25 * n_tiles : static_cast<double>(tests_.size());
-        const int full = p_.basis.order() + 1 + digits_of(transport_.accuracy);
-        const double whole = leeway_.again ? 0 : a_point * (tests + n_tiles * full * full);
-        work_.spared[Effect::order] += static_cast<std::int64_t>(whole) - (work_.kernel_evaluations - before);
-    }
-
-    /// Of all nodes, seen from one point of p, by the rule for what is far (source_moments.h).
-    double far_evaluations() const {
-        double sum = 0;
-        for (const SourceNode &node : nodes_) {
-            const bool constant = !transport_.scene.reflects(out_.source) || node.element.basis.n_functions() == 1;
-            const double rate = 2 * std::asinh(std::max(distance_, 0.1 * size_) / radius(node.element.basis.outline()));
-            const double n = std::min(8.0, std::ceil(std::log(1 / transport_.accuracy) / rate + 2));
-            sum += constant ? 1 : 1 + n * n;
-        }
-        return sum;
-    }
-
     void find_tests() {
         tests_ = test_points(p_.basis);
         const auto shadows = shadow_points(transport_.scene, transport_.blockers, p_, from_, out_.blockers);
@@ -133,9 +105,7 @@ private:
         for (std::size_t c = 0; c < tests_.size(); ++c)
             (leeway_.misfit <= 0 || c % probe_stride == 0 ? probes : others).push_back(c);
         Rows whole = Rows::Zero(n_tests, n_columns());
-        const std::int64_t before = work_.kernel_evaluations;
         look_at(probes, whole);
-        probed_ = static_cast<double>(work_.kernel_evaluations - before) / static_cast<double>(std::max<std::size_t>(1, probes.size()));
         left_out = columns_to_leave_out(nodes_, whole, leeway_);
         std::vector<Eigen::Index> kept;
         Eigen::Index first = 0;
@@ -232,7 +202,6 @@ private:
     Work &work_;
     std::vector<Vec2> tests_;
     std::vector<SourceNode> nodes_;
-    double probed_ = 0; ///< evaluations a point, of the full columns
 };
 
 } // namespace

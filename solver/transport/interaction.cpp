@@ -58,10 +58,6 @@ Rgb Interaction::mean_square_misfit(const Forest &forest, const Coefficients &ra
     return all.rows() == 0 ? Rgb(Rgb::Zero()) : Rgb(all.array().square().colwise().mean().transpose());
 }
 
-bool Interaction::leaves_columns_out() const {
-    return std::ranges::any_of(links, [](const Link &link) { return link.left_out.size() > 0; });
-}
-
 Rgb Interaction::left_out(const Forest &forest, const Coefficients &radiosity) const {
     Rgb sum = Rgb::Zero();
     for (const Link &link : links)
@@ -108,10 +104,12 @@ Candidates all_candidates(const Transport &transport, SurfaceId receiver, Surfac
     Candidates out;
     for (const int b : transport.blockers.near_box(low, high)) {
         const SurfaceId s = transport.blockers[b].surface;
-        if (s != receiver && s != source)
-            out.blockers.push_back({b, false});
+        if (s == receiver || s == source)
+            continue;
+        out.blockers.push_back({b, false});
+        out.n_proposed += !transport.blockers.edge_on(b, receiver);
     }
-    out.n_proposed = static_cast<int>(out.blockers.size()) + transport.blockers.n_left_out_near(low, high, receiver, source);
+    out.n_proposed += transport.blockers.n_left_out_near(low, high, receiver, source);
     return out;
 }
 
@@ -175,7 +173,6 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, cons
         nodes.back().n_columns = static_cast<int>(link.kernel.cols());
     }
     PointTransfer transfer(transport, p, interaction, std::move(nodes), work);
-    const std::int64_t before = work.kernel_evaluations;
     Eigen::Matrix<double, Eigen::Dynamic, 3> out(static_cast<Eigen::Index>(points.size()), 3);
     std::vector<double> row(static_cast<std::size_t>(transfer.n_columns()));
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -189,9 +186,6 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, cons
         }
         out.row(static_cast<Eigen::Index>(i)) = sum;
     }
-    if (interaction.leaves_columns_out())
-        work.spared[Effect::order] += static_cast<std::int64_t>(interaction.full_evaluations * static_cast<double>(points.size())) -
-                                      (work.kernel_evaluations - before);
     return out;
 }
 

@@ -34,13 +34,12 @@ struct Leeway {
     bool mean_square = false; ///< as the root mean square over the test points and the sum over channels, not as the largest
     Rgb reflectance = Rgb::Zero();
     const Coefficients *radiosity = nullptr;
-    bool again = false; ///< the pair had links whose orders have become too low: at full orders it would not be made again
 };
 
 /// What may stand between two.
 struct Candidates {
     std::vector<PairBlocker> blockers;
-    int n_proposed = 0; ///< by the boxes of the two surfaces, before any was ruled out
+    int n_proposed = 0; ///< by the boxes of the two surfaces, before any was ruled out; but for those in the receiver's plane
 };
 
 /// All links of receiver element p from one input surface S; together they bring T_S. What of S is covered brings
@@ -61,11 +60,10 @@ struct Interaction {
     std::vector<PairBlocker> clipped_by; ///< where nothing is to be left out: all that were proposed; else empty
     int n_proposed = 0;
     std::vector<Link> links;           ///< their sources tile S
-    double full_evaluations = 0;       ///< of kernels at a point of p, with all columns; about
 
     std::span<const PairBlocker> clipping() const { return clipped_by.empty() ? blockers : clipped_by; }
-    int n_spared() const { return std::max(0, n_proposed - static_cast<int>(clipping().size())); }
-    bool leaves_columns_out() const;
+    /// Clips that a point of p takes where nothing is left out, when something may be; else 0.
+    int n_clips_of_all() const { return clipped_by.empty() ? n_proposed : 0; }
     /// For the parts of p.
     Candidates candidates() const { return {clipped_by.empty() ? blockers : clipped_by, n_proposed}; }
     /// Largest |T_S - fit| over the test points for each channel [W/m2, before reflection].

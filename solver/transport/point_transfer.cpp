@@ -17,8 +17,10 @@ bool in_solid(const Blockers &blockers, const Vec3 &x) {
 
 } // namespace
 
+int n_columns(const Scene &scene, const Element &q) { return scene.reflects(q.surface) ? q.basis.n_functions() : 1; }
+
 SourceNode source_node(const Scene &scene, const Element &q) {
-    SourceNode node{q, {}, scene.reflects(q.surface) ? q.basis.n_functions() : 1};
+    SourceNode node{q, {}, n_columns(scene, q)};
     node.whole.add(q.basis.outline());
     for (const Polygon &cover : scene.surface(q.surface).covers) {
         ConvexPieces rest;
@@ -31,7 +33,7 @@ SourceNode source_node(const Scene &scene, const Element &q) {
 PointTransfer::PointTransfer(const Transport &transport, const Element &p, const Interaction &pair,
                              std::vector<SourceNode> nodes, Work &work)
     : transport_(transport), receiver_(transport.scene.surface(p.surface)),
-      source_(transport.scene.surface(pair.source)), clipping_(pair.clipping()), n_spared_(pair.n_spared()),
+      source_(transport.scene.surface(pair.source)), clipping_(pair.clipping()), n_clips_of_all_(pair.n_clips_of_all()),
       nodes_(std::move(nodes)), work_(work) {
     for (const SourceNode &node : nodes_)
         n_columns_ += node.n_columns;
@@ -47,8 +49,9 @@ void PointTransfer::at(const Vec2 &point, std::span<double> row) {
         return;
     if (source_.frame.height(x) <= 0)
         return;
+    const std::int64_t before = work_.clips;
     scratch_.hidden.cast(x, source_.frame, transport_.blockers, clipping_, work_);
-    work_.spared[Effect::visibility] += n_spared_;
+    work_.spared[Effect::visibility] += std::max<std::int64_t>(0, n_clips_of_all_ - (work_.clips - before));
     std::size_t first = 0;
     for (const SourceNode &node : nodes_) {
         const auto count = static_cast<std::size_t>(node.n_columns);

@@ -18,6 +18,8 @@ struct SourceNode {
     int n_columns;
 };
 
+/// Functions of q that a kernel of the full order has columns for: one where its radiosity is its exitance.
+int n_columns(const Scene &scene, const Element &q);
 SourceNode source_node(const Scene &scene, const Element &q);
 
 /// T_j at receiver points, a block of columns for each source node. Under a flat cover of the receiver, which nothing
@@ -39,7 +41,7 @@ private:
     const Transport &transport_;
     const Surface &receiver_, &source_;
     std::span<const PairBlocker> clipping_;
-    int n_spared_;
+    int n_clips_of_all_;
     std::vector<SourceNode> nodes_;
     Work &work_;
     VisibleScratch scratch_;

@@ -110,11 +110,16 @@ std::vector<int> Blockers::near_box(const Vec3 &low, const Vec3 &high) const {
     return search.found;
 }
 
-int Blockers::n_left_out_near(const Vec3 &low, const Vec3 &high, SurfaceId but, SurfaceId and_but) const {
+bool Blockers::edge_on(int blocker, SurfaceId seen_from) const {
+    return std::ranges::all_of(scene_.surface(seen_from).corners,
+                               [&](const Vec3 &x) { return std::abs((*this)[blocker].frame.height(x)) <= touch; });
+}
+
+int Blockers::n_left_out_near(const Vec3 &low, const Vec3 &high, SurfaceId receiver, SurfaceId source) const {
     return static_cast<int>(std::ranges::count_if(left_out_, [&](int i) {
         const Box box = box_of((*this)[i]);
         const SurfaceId s = (*this)[i].surface;
-        return s != but && s != and_but && (box.low.array() <= high.array()).all() && (box.high.array() >= low.array()).all();
+        return !edge_on(i, receiver) && s != source && (box.low.array() <= high.array()).all() && (box.high.array() >= low.array()).all();
     }));
 }
 

@@ -37,8 +37,11 @@ public:
     /// Indices of the blockers whose bounding boxes, inflated by far more than single precision loses, meet the box;
     /// ascending. A superset of what meets it.
     std::vector<int> near_box(const Vec3 &low, const Vec3 &high) const;
-    /// Of those that are never proposed, how many have boxes that meet this one; but for those of two surfaces.
-    int n_left_out_near(const Vec3 &low, const Vec3 &high, SurfaceId but, SurfaceId and_but) const;
+    /// Whether the blocker lies in the surface's plane: no point there is hidden by it.
+    bool edge_on(int blocker, SurfaceId seen_from) const;
+    /// Of those that are never proposed, how many have boxes that meet this one; but for those of the receiver's
+    /// plane and the source: what would be clipped by, had they been proposed.
+    int n_left_out_near(const Vec3 &low, const Vec3 &high, SurfaceId receiver, SurfaceId source) const;
     /// Whether all points (in solver coordinates) lie outside or on the border of the solid, judged by one of its faces.
     bool outside(int solid, std::span<const Vec3> points) const;
 

@@ -16,6 +16,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace penumbra {
 namespace {
@@ -128,11 +129,11 @@ std::int64_t done(const Counters &c, Effect effect) {
                                                       {"clips", c.total_work.clips},
                                                       {"traced_pairs", c.total_work.traced_pairs},
                                                       {"products", c.total_work.products},
-                                                      {"kernel_evaluations", c.total_work.kernel_evaluations}};
+                                                      {"link_coefficients", c.link_coefficients}};
     return of.at(unit(effect));
 }
 
-class SavedWork : public testing::TestWithParam<const char *> {};
+class SavedWork : public testing::TestWithParam<std::string> {};
 
 TEST_P(SavedWork, IsWhatTheEffectsSwitchAdds) {
     const auto scene = std::make_shared<const Scene>(open_scene(GetParam()));
@@ -149,10 +150,21 @@ TEST_P(SavedWork, IsWhatTheEffectsSwitchAdds) {
         EXPECT_LE(std::abs(e.saved - added), 0.2 * std::abs(added)) << name(e.effect) << " " << e.saved << " " << added;
         n_saving += e.saved > 0;
     }
-    EXPECT_GE(n_saving, 4);
+    const bool rich = std::set<std::string>{"cornell-box", "table", "pierced"}.contains(GetParam());
+    const bool dark = plain->counters().links == 0; // each of two effects leaves out all: one of them on changes nothing
+    EXPECT_GE(n_saving, rich ? 4 : dark ? 0 : 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SavedWork, testing::Values("cornell-box", "table", "pierced"),
+/// But for office, whose twelve solutions take minutes.
+std::vector<std::string> small_scenes() {
+    std::vector<std::string> names;
+    for (const BundledScene &scene : bundled_scenes())
+        if (scene.name != "office")
+            names.emplace_back(scene.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SavedWork, testing::ValuesIn(small_scenes()),
                          [](const auto &scene) {
                              std::string name = scene.param;
                              std::ranges::replace(name, '-', '_');

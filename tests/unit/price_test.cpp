@@ -50,6 +50,14 @@ TEST(Price, OfFewIsBetweenTheUsualAndTheMeasured) {
     EXPECT_NEAR(predict_price(two, usual, for_error(std::exp(-2)))->seconds, std::exp(2 / 1.5), 1e-9);
 }
 
+TEST(Price, OnTheWaySaysLessOfTheNextOne) {
+    // As before, but the first was paid on the way, with scatter 0.6. By hand: weights 1 and 1/4 of 1/0.09, mean of x 4/5,
+    // weighted sum of (x - mean)^2 1/5, so that the exponent is 2 / (1 + 1/5).
+    std::vector<PricePaid> two{paid(1, 1), paid(std::exp(-1), 1)};
+    two[0].on_the_way = true;
+    EXPECT_NEAR(predict_price(two, usual, for_error(std::exp(-2)))->seconds, std::exp(2 / 1.2), 1e-9);
+}
+
 TEST(Price, BetweenTwoPaidIsOnTheLine) {
     const std::vector<PricePaid> two{paid(0.01, 16), paid(0.1, 1)};
     EXPECT_NEAR(predict_price(two, usual, for_error(std::sqrt(0.001)))->seconds, 4, 1e-9);
