@@ -161,8 +161,11 @@ private:
         if (!plan_.emission)
             return off(out, "there is no light to reflect");
         if (!plan_.interreflection)
-            return off(out, "what light reaches can send none to another surface that reflects: one bounce is all");
-        out.reason = "light that one surface reflects can reach others";
+            return off(out, has_one_bounce(scene_)
+                                ? "what light reaches can send none to another surface that reflects: one bounce is all"
+                                : "all that is reflected twice and more stays below a twentieth of what is asked for");
+        out.reason = fmt::format("light that one surface reflects can reach others; after {} bounces what is left weighs "
+                                 "less than a twentieth of what is asked for", plan_.bounces);
     }
 
     void colour(LedgerEntry &out) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <ranges>
 
@@ -46,16 +47,68 @@ std::vector<char> lit_surfaces(const Scene &scene) {
     return lit;
 }
 
-bool reflects_again(const Scene &scene, const std::vector<char> &lit) {
+std::vector<SurfaceId> bright_surfaces(const Scene &scene, const std::vector<char> &lit) {
     std::vector<SurfaceId> bright;
     for (const SurfaceId s : surfaces_of(scene))
         if (scene.reflects(s) && lit[s.at()])
             bright.push_back(s);
+    return bright;
+}
+
+bool reflects_again(const Scene &scene, const std::vector<char> &lit) {
+    const std::vector<SurfaceId> bright = bright_surfaces(scene, lit);
     for (std::size_t i = 0; i < bright.size(); ++i)
         for (std::size_t j = i + 1; j < bright.size(); ++j)
             if (may_see(scene.surface(bright[i]), scene.surface(bright[j])))
                 return true;
     return false;
+}
+
+struct Box {
+    Vec3 low, high;
+};
+
+Box box_of(const Surface &s) {
+    Box box{s.corners.front(), s.corners.front()};
+    for (const Vec3 &x : s.corners) {
+        box.low = box.low.cwiseMin(x);
+        box.high = box.high.cwiseMax(x);
+    }
+    return box;
+}
+
+/// No less than any form factor from a point of the one box to what lies in the other.
+double form_factor_limit(const Box &a, const Box &b, double area) {
+    const double distance2 = (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0).squaredNorm();
+    return distance2 * std::numbers::pi > area ? area / (distance2 * std::numbers::pi) : 1;
+}
+
+/// What a bounce can keep at most of reflected light, in L2. G is symmetric in dA, so that its norm is at most its largest row
+/// sum (Schur's test): of form factors to all that shines by reflection, at most 1.
+double kept_by_a_bounce(const Scene &scene, const std::vector<char> &lit) {
+    const std::vector<SurfaceId> bright = bright_surfaces(scene, lit);
+    std::vector<Box> boxes;
+    for (const SurfaceId s : bright)
+        boxes.push_back(box_of(scene.surface(s)));
+    double reflectance = 0, gathered = 0;
+    for (std::size_t i = 0; i < bright.size(); ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < bright.size(); ++j)
+            if (i != j && may_see(scene.surface(bright[i]), scene.surface(bright[j])))
+                sum += form_factor_limit(boxes[i], boxes[j], scene.surface(bright[j]).area);
+        gathered = std::max(gathered, std::min(1.0, sum));
+        if (sum > 0)
+            reflectance = std::max(reflectance, scene.reflectance(bright[i]).maxCoeff());
+    }
+    return reflectance * gathered;
+}
+
+/// After how many bounces all that is still to come, q^n / (1 - q) of the first one, is no more than may be missed.
+int bounces_that_weigh(double q, double may_miss) {
+    constexpr double many = 1e6;
+    if (q <= 0)
+        return 1;
+    return may_miss > 0 ? static_cast<int>(std::clamp(std::ceil(std::log(may_miss * (1 - q)) / std::log(q)), 1.0, many)) : static_cast<int>(many);
 }
 
 /// Whether two surfaces have the same corners and face away from each other.
@@ -125,14 +178,15 @@ int Channels::n_solved() const {
 
 bool Plan::anything_blocks() const { return can_block.empty() || std::ranges::find(can_block, 1) != can_block.end(); }
 
-Plan make_plan(const Scene &scene, const EffectSwitches &switches) {
+Plan make_plan(const Scene &scene, const EffectSwitches &switches, double may_miss) {
     const auto decides = [&](Effect e) { return switches[e] == Switch::automatic; };
     Plan plan;
     const std::vector<char> lit = lit_surfaces(scene);
     plan.is_back = backs(scene);
     plan.emission = decides(Effect::emission) ? std::ranges::any_of(surfaces_of(scene), [&](SurfaceId s) { return scene.emits(s); })
                                               : switches[Effect::emission] == Switch::on;
-    plan.interreflection = decides(Effect::interreflection) ? reflects_again(scene, lit)
+    plan.bounces = bounces_that_weigh(kept_by_a_bounce(scene, lit), may_miss);
+    plan.interreflection = decides(Effect::interreflection) ? plan.bounces > 1
                                                             : switches[Effect::interreflection] == Switch::on;
     if (decides(Effect::two_sided))
         plan.lit = lit;

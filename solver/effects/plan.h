@@ -19,11 +19,13 @@ struct Channels {
     bool operator==(const Channels &) const = default;
 };
 
-/// Every entry is conservative: it changes no answer by more than rounding. A plan that was made of nothing leaves
-/// nothing out.
+/// Every entry is conservative: it changes no answer by more than rounding, or, where it goes by brightness, by more than
+/// the share that it was given. A plan that was made of nothing leaves nothing out.
 struct Plan {
     bool emission = true;          ///< something emits
-    bool interreflection = true;   ///< light that one surface reflects can reach another that reflects
+    bool interreflection = true;   ///< light that one surface reflects can reach another that reflects, and weighs there
+    /// All that is reflected after so many bounces stays below the share that may be missed; 1: the first one is all.
+    int bounces = 1;
     std::vector<char> lit;         ///< by surface: light can come to its front, past half-spaces alone; empty: all
     std::vector<char> is_back;     ///< by surface: the second side of a double-sided face, or of two faces back to back; empty: none
     std::vector<char> can_block;   ///< by surface: some of the scene lies on either side of its plane; empty: all
@@ -35,8 +37,8 @@ struct Plan {
 };
 
 /// Decides what switches leave to it; what is on is left whole, what is off is left
-/// out. tests/agreement/effects_test.cpp.
-Plan make_plan(const Scene &scene, const EffectSwitches &switches);
+/// out. `may_miss`: relative L2 of B - E that light after the last bounce may be. tests/agreement/effects_test.cpp.
+Plan make_plan(const Scene &scene, const EffectSwitches &switches, double may_miss);
 
 /// The scene as it is solved: where colour is off, with the mean of the channels of every material.
 Scene without_colour(Scene scene);

@@ -48,6 +48,9 @@ std::vector<std::vector<Rgb>> correction(const Setting &setting, const State &st
 
 double square(double x) { return x * x; }
 
+/// What an exact gather may be wrong by, of the error that is asked for.
+constexpr double gather_share = 1e-2;
+
 } // namespace
 
 ErrorEstimate measure_error(const Setting &setting, const State &state, double goal, std::uint64_t seed,
@@ -59,7 +62,7 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
     solution.hidden = setting.hidden_pairs.get();
     std::optional<ReflectedGather> gather;
     const auto gather_exactly = [&] {
-        gather.emplace(*setting.scene, *setting.blockers, state.forest, state.radiosity);
+        gather.emplace(*setting.scene, *setting.blockers, state.forest, state.radiosity, std::max(1e-6, gather_share * goal));
         solution.gather = &*gather;
     };
     if (!setting.rays && !setting.one_bounce())

@@ -31,6 +31,9 @@ Transport Setting::transport(double threshold, const Cancel *cancel) const {
             options.effects[Effect::visibility] == Switch::on, options.effects[Effect::hidden_pairs] == Switch::on};
 }
 
+/// Light after the last bounce that is simulated, of the error that is asked for.
+constexpr double bounces_share = 0.05;
+
 struct Solver::Parts {
     Setting setting;
     std::shared_ptr<const State> state;
@@ -74,7 +77,7 @@ Solver::Solver(std::shared_ptr<const Scene> scene, const Options &options, const
                         ? std::make_shared<const Scene>(without_colour(*scene))
                         : std::move(scene);
     setting.options = options;
-    setting.plan = make_plan(*setting.scene, options.effects);
+    setting.plan = make_plan(*setting.scene, options.effects, bounces_share * options.tolerance.value_or(options.threshold));
     setting.blockers = std::make_unique<const Blockers>(*setting.scene, setting.plan.can_block);
     if (setting.plan.interreflection && setting.plan.anything_blocks())
         setting.rays = std::make_unique<const RayScene>(*setting.scene);

@@ -13,11 +13,6 @@ namespace penumbra {
 
 namespace {
 
-// An element stands for its children where what it leaves out of them brings less than this, as a fraction of the
-// largest radiosity that was reflected.
-constexpr double least_detail = 1e-5;
-constexpr double moments_accuracy = 1e-6;
-
 /// No less than the form factor from x to what lies in front of it of the polygon.
 double form_factor_limit(const Vec3 &x, const PlaneFrame &source, const Polygon &polygon, double area) {
     const double height = source.height(x);
@@ -29,8 +24,8 @@ double form_factor_limit(const Vec3 &x, const PlaneFrame &source, const Polygon 
 } // namespace
 
 ReflectedGather::ReflectedGather(const Scene &scene, const Blockers &blockers, const Forest &forest,
-                                 Coefficients radiosity)
-    : scene_(scene), blockers_(blockers), forest_(forest), reflected_(std::move(radiosity)) {
+                                 Coefficients radiosity, double accuracy)
+    : scene_(scene), blockers_(blockers), forest_(forest), reflected_(std::move(radiosity)), accuracy_(accuracy) {
     double largest = 0;
     for (const Element &e : forest_.elements) {
         reflected_.row(e.first) -= scene_.exitance(e.surface).matrix().transpose();
@@ -63,7 +58,7 @@ Rgb ReflectedGather::irradiance(SurfaceId id, const Vec2 &point, Work &work) con
                 const Element &e = forest_[id_here];
                 waiting.pop_back();
                 if (!e.leaf() && detail_[id_here.at()] * form_factor_limit(x, source.frame, e.basis.outline(), e.basis.area()) >
-                                     least_detail) {
+                                     10 * accuracy_) {
                     for (int c = 0; c < e.n_children; ++c)
                         waiting.emplace_back(e.first_child.index + c);
                     continue;
@@ -73,7 +68,7 @@ Rgb ReflectedGather::irradiance(SurfaceId id, const Vec2 &point, Work &work) con
                 visible_part(x, receiver.normal, source.frame, nodes_[id_here.at()].whole, scratch.hidden, scratch);
                 std::array<double, max_functions> moments{};
                 const int n = e.basis.n_functions();
-                source_moments(x, receiver.normal, source.frame, e.basis, scratch.pieces, moments_accuracy,
+                source_moments(x, receiver.normal, source.frame, e.basis, scratch.pieces, accuracy_,
                                std::span(moments).first(static_cast<std::size_t>(n)), work);
                 const auto b = reflected_.middleRows(e.first, n);
                 sum += Rgb((Eigen::Map<const Eigen::RowVectorXd>(moments.data(), n) * b).transpose().array());

@@ -216,6 +216,34 @@ TEST(Effects, ChangesAreMapped) {
     EXPECT_GT(same->reflected, 0);
 }
 
+/// A floor and a wall that meet, and a lamp above them.
+std::vector<reference::Face> corner(double rho) {
+    return {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Rgb::Constant(rho)},
+            {{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}, Rgb::Constant(rho)},
+            {{{0.5, 0.2, 2}, {0.5, 0.8, 2}, {1.1, 0.8, 2}, {1.1, 0.2, 2}}, Rgb::Zero(), Rgb::Constant(3)}};
+}
+
+TEST(Effects, BouncesWithoutWeightAreLeftOut) {
+    const Options options = Options().to_tolerance(0.01);
+    EffectSwitches whole;
+    whole[Effect::interreflection] = Switch::on;
+    for (const double rho : {2e-4, 4e-3, 0.5}) {
+        const auto scene = reference::scene_of(corner(rho));
+        const auto plain = solved(scene, options, {}), on = solved(scene, options, whole);
+        // What is reflected twice is at most rho / (1 - rho) of the rest; a twentieth of 0.01 is let go.
+        const bool dim = rho / (1 - rho) < 5e-4;
+        EXPECT_EQ(plain->counters().links < on->counters().links, dim) << rho;
+        EXPECT_EQ(called_for(*plain).contains("interreflection"), !dim) << rho;
+        if (dim) {
+            EXPECT_LT(difference(*on, *plain), rho);
+        }
+    }
+    // Bright, but a hundred metres apart: F is below 1 / (pi 100^2).
+    std::vector<reference::Face> far = corner(0.5);
+    far[1] = {{{100, 0, 0}, {100, 0, 1}, {100, 1, 1}, {100, 1, 0}}, Rgb::Constant(0.5)};
+    EXPECT_FALSE(called_for(*solved(reference::scene_of(far), options, {})).contains("interreflection"));
+}
+
 // --- Scenes on which a plan could err: solved both ways.
 
 using Random = std::mt19937;
