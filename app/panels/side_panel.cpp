@@ -67,10 +67,10 @@ void draw_accuracy(const Snapshot &snapshot) {
         return;
     if (c.estimated_error >= 0) {
         figure("error, about", percent(c.estimated_error) + ", \u2264 " + percent(c.error_limit),
-               "Relative L2 of the reflected radiosity, measured at fresh random points, apart from the links. With 95 % "
+               "Relative L2 of the reflected radiosity, measured at fresh random points, apart from the links. With 99 % "
                "confidence it is not above the second number.");
         figure("error, at most", percent(c.error_bound),
-               "The error is not above this, with 95 % confidence, however it is spread: the residual over 1 minus the largest "
+               "The error is not above this, with 99 % confidence, however it is spread: the residual over 1 minus the largest "
                "reflectance.");
     }
     if (c.threshold > 0)
