@@ -101,6 +101,8 @@ struct Options {
         return out;
     }
 
+    bool operator==(const Options &) const = default;
+
     int effective_order() const { return is_constant(strategy) || effects[Effect::order] == Switch::off ? 1 : order; }
 };
 

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "core/percent.h"
 #include "iteration/allowance.h"
+#include "iteration/below_black.h"
 #include "iteration/candidates.h"
 #include "iteration/known_curves.h"
 #include "transport/point_transfer.h"
@@ -21,6 +22,9 @@ constexpr double weak_share = 0.1, source_share = 0.5;
 /// Of what passes at a node: what lower orders may miss when a link is made, and before it is made anew. Figures behind these:
 /// tests/bench/README.md.
 constexpr double order_share = 0.05, order_limit = 0.15;
+/// Of what passes: how far below black a leaf that is kept may be, once it was damped, and the least of its detail that is worth
+/// keeping then.
+constexpr double damping_share = 0.9, least_damping = 0.1;
 
 /// A pair that wants links.
 struct Request {
@@ -29,7 +33,7 @@ struct Request {
     Candidates candidates;
     std::vector<ElementId> sources;
     std::shared_ptr<const Interaction> before; ///< of the same pair, to be replaced; none when the pair is new
-    bool fine = false;
+    Fit fit{};
 };
 
 enum class Verdict { keep, relink, fail };
@@ -39,6 +43,8 @@ struct Judgement {
     std::vector<ElementId> sources; ///< of the new links, unless kept
     double misfit = 0; ///< as a fraction of the threshold
     bool afresh = false; ///< its orders have become too low: nothing of the links is taken over
+    double dark = 0;     ///< it misses most of those that together bring a leaf this far below black [W/m2]; else 0
+    double damping = 1;  ///< of the detail that it brings, with which the leaf would not be, did the others bring none
 };
 
 class Refinement {
@@ -56,6 +62,7 @@ public:
 
     void run() {
         judge_all();
+        judge_what_is_below_black();
         split_failing();
         request_new_pairs();
         link();
@@ -117,8 +124,8 @@ private:
         // A threshold of 0 lets nothing pass once there is light.
         out.misfit = misfit > 0 ? misfit / allowance_.misfit(p) : 0;
         const double left_out = (scene_.reflectance(p.surface) * interaction.left_out(state_.forest, state_.radiosity)).maxCoeff();
-        out.afresh = (interaction.order < p.basis.order() && out.misfit > order_limit) ||
-                     left_out > order_limit * allowance_.misfit(p);
+        out.afresh = interaction.fit.damping == 1 && ((interaction.order < p.basis.order() && out.misfit > order_limit) ||
+                                                      left_out > order_limit * allowance_.misfit(p));
         if (out.afresh)
             out.verdict = Verdict::relink;
         else if (out.misfit > 1)
@@ -134,6 +141,37 @@ private:
             for (const auto &interaction : state_.interactions[e])
                 judgements_[e].push_back(judge(*interaction));
         });
+    }
+
+    /// Light is not negative: a leaf that is by more than passes shows that fits, each of which may have passed, miss
+    /// too much together. The worst of them fails.
+    void judge_what_is_below_black() {
+        if (allowance_.mean_square())
+            return;
+        std::vector<Darkness> below(judgements_.size());
+        parallel_for(below.size(), [&](std::size_t e) {
+            const Element &element = state_.forest.elements[e];
+            if (element.leaf() && scene_.reflects(element.surface))
+                below[e] = below_black(scene_, element, state_.radiosity, damping_share * allowance_.anywhere());
+        });
+        for (std::size_t leaf = 0; leaf < below.size(); ++leaf) {
+            if (below[leaf].depth <= allowance_.anywhere())
+                continue;
+            Judgement *worst = nullptr;
+            for (ElementId node(leaf); node.valid(); node = state_.forest[node].parent)
+                for (std::size_t i = 0; i < judgements_[node.at()].size(); ++i)
+                    if (Judgement &j = judgements_[node.at()][i];
+                        state_.interactions[node.at()][i]->fit.damping > 0 && j.misfit > (worst ? worst->misfit : 0))
+                        worst = &j;
+            if (!worst)
+                continue;
+            worst->dark = std::max(worst->dark, below[leaf].depth);
+            worst->damping = std::min(worst->damping, below[leaf].damping);
+            if (worst->verdict != Verdict::fail) {
+                worst->verdict = Verdict::fail;
+                worst->afresh = false;
+            }
+        }
     }
 
     void split_failing() {
@@ -196,10 +234,10 @@ private:
 
     void tell(ElementId node, const Split &split) {
         const Element &e = state_.forest[node];
-        double worst = 0;
+        double worst = 0, dark = 0;
         SurfaceId source;
         for (std::size_t i = 0; i < judgements_[node.at()].size(); ++i)
-            if (judgements_[node.at()][i].misfit > worst) {
+            if (dark = std::max(dark, judgements_[node.at()][i].dark); judgements_[node.at()][i].misfit > worst) {
                 worst = judgements_[node.at()][i].misfit;
                 source = state_.interactions[node.at()][i]->source;
             }
@@ -211,9 +249,11 @@ private:
                 how += " and " + surface_name(curve.blockers.front());
         }
         const double threshold = state_.counters.threshold;
-        told_ = surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " +
-                std::to_string(e.basis.order()) + " misses what " + surface_name(source) + " brings by " +
-                percent(worst * threshold) + " of the peak > " + percent(threshold) + "; " + how;
+        const std::string what = surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " +
+                                 std::to_string(e.basis.order());
+        told_ = what + (worst > 1 ? " misses what " + surface_name(source) + " brings by " + percent(worst * threshold)
+                                  : " falls below black by " + percent(dark / allowance_.anywhere() * threshold)) +
+                " of the peak > " + percent(threshold) + "; " + how;
         told_cut_ = split.cut.has_value();
     }
 
@@ -239,7 +279,8 @@ private:
     }
 
     /// Failing interactions go to the children; those to be linked anew are asked for at the same node. Where a limit
-    /// keeps a node that fails, its fit shall at least be the best there is: it is integrated anew, finer.
+    /// keeps a node that fails, its fit shall at least be the best there is: it is integrated anew, finer;
+    /// and damped where it brings the node below black.
     void hand_down(ElementId node) {
         auto &here = state_.interactions[node.at()];
         std::vector<std::shared_ptr<const Interaction>> kept;
@@ -247,13 +288,16 @@ private:
             const Judgement &j = judgements_[node.at()][i];
             const bool at_limit = j.verdict == Verdict::fail && state_.forest[node].leaf();
             const bool same_sources = j.sources.size() == here[i]->links.size();
-            const bool fine = at_limit || here[i]->fine;
-            if (j.verdict == Verdict::keep || (at_limit && same_sources && here[i]->fine))
+            Fit fit = here[i]->fit;
+            fit.fine |= at_limit;
+            if (at_limit && j.dark > 0)
+                fit.damping = fit.damping * j.damping > least_damping ? fit.damping * j.damping : 0;
+            if (j.verdict == Verdict::keep || (at_limit && same_sources && here[i]->fit == fit))
                 kept.push_back(here[i]);
             else if (j.verdict == Verdict::fail && !at_limit)
                 descend(node, *here[i], j);
             else
-                requests_.push_back({node, here[i]->source, here[i]->candidates(), j.sources, j.afresh ? nullptr : here[i], fine});
+                requests_.push_back({node, here[i]->source, here[i]->candidates(), j.sources, j.afresh ? nullptr : here[i], fit});
         }
         here = std::move(kept);
     }
@@ -318,7 +362,7 @@ private:
         parallel_for(requests_.size(), [&](std::size_t i) {
             const Request &r = requests_[i];
             made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources,
-                              leeway(r.receiver, r.source), work[i], r.before.get(), r.fine);
+                              leeway(r.receiver, r.source), work[i], r.before.get(), r.fit);
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
             state_.counters.work += work[i];

@@ -21,6 +21,15 @@ double form_factor_limit(const Vec3 &x, const PlaneFrame &source, const Polygon 
     return std::min(1.0, area / (std::numbers::pi * std::max(distance2, 1e-300)));
 }
 
+/// sum_j>0 |b_j| max |N_j|, of the channel where it is largest. Orthonormal polynomials are largest at corners.
+double largest_variation(const Element &e, const Coefficients &b) {
+    BasisValues most = e.basis.evaluate(e.basis.centre()).cwiseAbs();
+    for (const Vec2 &corner : e.basis.outline())
+        most = most.cwiseMax(e.basis.evaluate(corner).cwiseAbs());
+    most[0] = 0;
+    return (most.transpose() * rows(e, b).cwiseAbs()).maxCoeff();
+}
+
 } // namespace
 
 ReflectedGather::ReflectedGather(const Scene &scene, const Blockers &blockers, const Forest &forest,
@@ -34,8 +43,11 @@ ReflectedGather::ReflectedGather(const Scene &scene, const Blockers &blockers, c
             largest = std::max(largest, reflected_.row(e.first).maxCoeff());
     }
     detail_ = dropped_detail(forest_, reflected_);
+    largest = std::max(largest, 1e-300);
     for (double &d : detail_)
-        d /= std::max(largest, 1e-300);
+        d /= largest;
+    for (const Element &e : forest_.elements)
+        variation_.push_back(largest_variation(e, reflected_) / largest);
 }
 
 Rgb ReflectedGather::irradiance(SurfaceId id, const Vec2 &point, Work &work) const {
@@ -57,8 +69,8 @@ Rgb ReflectedGather::irradiance(SurfaceId id, const Vec2 &point, Work &work) con
                 const ElementId id_here = waiting.back();
                 const Element &e = forest_[id_here];
                 waiting.pop_back();
-                if (!e.leaf() && detail_[id_here.at()] * form_factor_limit(x, source.frame, e.basis.outline(), e.basis.area()) >
-                                     10 * accuracy_) {
+                const double form_factor = form_factor_limit(x, source.frame, e.basis.outline(), e.basis.area());
+                if (!e.leaf() && detail_[id_here.at()] * form_factor > 10 * accuracy_) {
                     for (int c = 0; c < e.n_children; ++c)
                         waiting.emplace_back(e.first_child.index + c);
                     continue;
@@ -67,8 +79,9 @@ Rgb ReflectedGather::irradiance(SurfaceId id, const Vec2 &point, Work &work) con
                 scratch.hidden.cast(x, source.frame, blockers_, of_node, work);
                 visible_part(x, receiver.normal, source.frame, nodes_[id_here.at()].whole, scratch.hidden, scratch);
                 std::array<double, max_functions> moments{};
-                const int n = e.basis.n_functions();
-                source_moments(x, receiver.normal, source.frame, e.basis, scratch.pieces, accuracy_,
+                const double allowed = accuracy_ / std::max(form_factor * variation_[id_here.at()], 1e-300);
+                const int n = allowed < 1 ? e.basis.n_functions() : 1;
+                source_moments(x, receiver.normal, source.frame, e.basis, scratch.pieces, std::clamp(allowed, accuracy_, 1e-2),
                                std::span(moments).first(static_cast<std::size_t>(n)), work);
                 const auto b = reflected_.middleRows(e.first, n);
                 sum += Rgb((Eigen::Map<const Eigen::RowVectorXd>(moments.data(), n) * b).transpose().array());

@@ -11,7 +11,7 @@ namespace penumbra {
 
 /// The integral of G V (B_h - E) at points, each source element by its exact visible part: no links, no noise. An element
 /// stands for its children where what it leaves out of them brings less than ten times `accuracy`, of the largest B_h - E;
-/// an element's part is right to about `accuracy`. Keeps references; may be asked from several threads.
+/// an element's part is right to about `accuracy`: what is nearly even, or far away, gets moments of fewer digits, or its mean alone. Keeps references; may be asked from several threads.
 class ReflectedGather {
 public:
     ReflectedGather(const Scene &scene, const Blockers &blockers, const Forest &forest, Coefficients radiosity,
@@ -27,6 +27,7 @@ private:
     Coefficients reflected_;         ///< B_h - E
     double accuracy_;
     std::vector<double> detail_;     ///< dropped_detail, of the largest B_h - E
+    std::vector<double> variation_;  ///< no less than what B_h - E leaves its mean by on an element, of the largest B_h - E
     std::vector<SourceNode> nodes_;  ///< by element
 };
 

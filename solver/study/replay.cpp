@@ -83,7 +83,7 @@ void link_again(const Setting &setting, const State &decisions, State &state, co
                 sources.push_back(link.source);
             const auto candidates = all_candidates(transport, state.forest[ElementId(e)].surface, decided->source);
             state.interactions[e].push_back(connect(transport, state.forest, ElementId(e), decided->source, candidates,
-                                                    sources, {decided->weak ? everything : nothing}, work, nullptr, decided->fine));
+                                                    sources, {decided->weak ? everything : nothing}, work, nullptr, decided->fit));
         }
     });
 }

@@ -151,6 +151,7 @@ private:
             for (std::size_t k = 0; k < nodes_.size(); column += nodes_[k++].n_columns)
                 kernel.col(column) = columns.col(static_cast<Eigen::Index>(k));
         }
+        kernel.bottomRows(kernel.rows() - 1) *= out_.fit.damping;
         misfit.resize(transfers.rows(), transfers.cols());
         for (std::size_t c = 0; c < tests_.size(); ++c) {
             const auto row = static_cast<Eigen::Index>(c);
@@ -172,7 +173,7 @@ private:
         // A transfer that fits the basis is integrated by order + 1 points; for more digits than the oracle asks of a
         // fit, more.
         const int digits = digits_of(accuracy);
-        const int finer = out_.fine && out_.kind == PairKind::partly_hidden ? 2 : 1;
+        const int finer = out_.fit.fine && out_.kind == PairKind::partly_hidden ? 2 : 1;
         int n_points = out_.weak ? 2 : finer * (order + 1) + digits, n_levels = near_ && !out_.weak ? digits : 0;
         if (digits > 0 && !out_.weak && out_.blockers.empty() && distance_ > 0) {
             // The transfer's poles are as far from p as the source: Gauss converges as it does in source_moments.
@@ -209,7 +210,7 @@ private:
 void integrate_links(const Transport &transport, const Forest &forest, Interaction &out,
                      std::span<const ElementId> sources, const Leeway &leeway, double distance,
                      const Interaction *before, Work &work) {
-    const bool alike = before && before->weak == out.weak && before->fine == out.fine;
+    const bool alike = before && before->weak == out.weak && before->fit == out.fit;
     const std::span<const Link> known = alike ? before->links : std::span<const Link>();
     const auto known_link = [&](ElementId q) { return std::ranges::find(known, q, &Link::source); };
     LinkIntegration integration(transport, forest, out, leeway, distance, work);

@@ -116,13 +116,13 @@ Candidates all_candidates(const Transport &transport, SurfaceId receiver, Surfac
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, const Candidates &candidates,
                                            std::span<const ElementId> sources, const Leeway &leeway, Work &work,
-                                           const Interaction *before, bool fine) {
+                                           const Interaction *before, Fit fit) {
     const Element &p = forest[receiver];
     const Surface &to = transport.scene.surface(p.surface), &from = transport.scene.surface(source);
     auto out = std::make_shared<Interaction>();
     out->receiver = receiver;
     out->source = source;
-    out->fine = fine;
+    out->fit = fit;
     out->kind = PairKind::hidden;
     out->n_proposed = candidates.n_proposed;
     if (transport.clip_by_all)
@@ -159,7 +159,7 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
         out->variation = std::min(out->form_factor, variation_bound(forest, p, to, from, sources, out->form_factor));
     out->weak = out->variation <= leeway.weak;
 
-    integrate_links(transport, forest, *out, sources, fine ? Leeway() : leeway, distance, before, work);
+    integrate_links(transport, forest, *out, sources, fit.fine ? Leeway() : leeway, distance, before, work);
     return out;
 }
 

@@ -15,6 +15,17 @@ namespace penumbra {
 /// How an element and a source see each other; decides how links are integrated (DESIGN section 3).
 enum class PairKind { clear, near, partly_hidden, hidden };
 
+/// How an element that is kept though it fails is fitted.
+struct Fit {
+    /// A partly hidden pair takes twice the points a parameter, and nothing is left out: about the best that p can do.
+    bool fine = false;
+    /// Of all coefficients but the mean, so that p does not fall below black: 0 leaves a constant, which cannot (the limiter
+    /// of X. Zhang and C.-W. Shu 2010, for links).
+    double damping = 1;
+
+    bool operator==(const Fit &) const = default;
+};
+
 /// A receiver node p and a source node q: K_ij = <N_i, integral over q of G V N_j dA>_p. Geometry only: no reflectance.
 struct Link {
     ElementId source;
@@ -50,9 +61,7 @@ struct Interaction {
     PairKind kind = PairKind::clear;
     /// What it brings, or how that varies, is below its share of the error: a constant, from a few points, and not tested.
     bool weak = false;
-    /// p was kept though it failed: a partly hidden pair takes twice the points a parameter, so that the fit comes close
-    /// to the best that p can do.
-    bool fine = false;
+    Fit fit{};
     int order = 1;                     ///< of the fit: up to that of p
     double form_factor = 0;            ///< unoccluded, largest over a few points of p: bounds what S can bring
     double variation = 0;              ///< what constants can miss of it (variation.h); the form factor where that is less
@@ -104,11 +113,11 @@ double form_factor_bound(const Transport &transport, const Element &p, SurfaceId
 /// Classifies the pair and integrates its links, to the orders that `leeway` leaves them (link_orders.h). `candidates`: a
 /// superset of the blockers between them (those of a parent; `all_candidates` at a root). A hidden pair has no links.
 /// `before`, where given, is what this call gave for the same two with other sources: links of sources in both are taken
-/// over, not computed again, and the others get its order, if both are weak, or fine, alike. Cancellable.
+/// over, not computed again, and the others get its order, if both are weak, and fitted, alike. Cancellable.
 std::shared_ptr<const Interaction> connect(const Transport &transport, const Forest &forest, ElementId receiver,
                                            SurfaceId source, const Candidates &candidates,
                                            std::span<const ElementId> sources, const Leeway &leeway, Work &work,
-                                           const Interaction *before = nullptr, bool fine = false);
+                                           const Interaction *before = nullptr, Fit fit = {});
 
 /// Everything near the shaft between two surfaces, as proposed by the bounding-volume hierarchy.
 Candidates all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source);

@@ -1,0 +1,19 @@
+// Radiosity that no light can have.
+#pragma once
+
+#include "hierarchy/push_pull.h"
+
+namespace penumbra {
+
+/// How far a leaf's radiosity is below black anywhere [W/m2], and what its detail would have to be multiplied by to be no more
+/// than `aim` below: (mean + aim) / (mean - least), of the channel where that is least (the limiter of X. Zhang and
+/// C.-W. Shu 2010, with black - aim for a bound).
+struct Darkness {
+    double depth = 0, damping = 1;
+};
+
+/// At points dense enough for its polynomial; what is covered is left out. 0 and 1 where it is nowhere more than `aim`
+/// below.
+Darkness below_black(const Scene &scene, const Element &leaf, const Coefficients &radiosity, double aim);
+
+} // namespace penumbra
