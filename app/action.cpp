@@ -1,6 +1,7 @@
 #include "action.h"
 
 #include "effect_verbs.h"
+#include "history.h"
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
 #include "profile_verbs.h"
@@ -92,13 +93,37 @@ void flip_basis(State &s) {
     set_strategy(s, strategy_of(cuts_along_curves(now), !is_constant(now)));
 }
 
+void next_shading(State &s) {
+    constexpr Shading next[] = {Shading::flat, Shading::linear, Shading::polynomial, Shading::polynomial};
+    s.look.shading = next[static_cast<std::size_t>(s.look.shading)];
+    s.look.change.reset();
+}
+
+void next_layout(State &s) { set_layout(s, static_cast<Layout>((static_cast<std::size_t>(s.layout) + 1) % n_layouts)); }
+
+bool range_is_locked(const State &s) { return shows_errors(s) ? s.truth.range_locked : s.chosen_range.has_value(); }
+/// Of the errors, where these are shown, else of the radiosity.
+void flip_range_lock(State &s) {
+    if (shows_errors(s)) {
+        toggle_range_lock(s);
+        return;
+    }
+    s.chosen_range = s.chosen_range ? std::nullopt : s.look.range;
+    s.message = {s.chosen_range ? "The range of colours stays as it is." : "The range of colours follows what is shown.", false};
+}
+
 void change_exposure(State &s, double ev) {
     s.look.exposure_ev = std::clamp(s.look.exposure_ev + ev, -10.0, 10.0);
 }
 
 /// Esc leaves what is open, one thing at a time, before it stops the solver.
 void cancel(State &s) {
-    if (s.help_open || s.open_dialog) {
+    if (s.palette.open) {
+        s.palette = {};
+    } else if (s.script.playing) {
+        s.script.playing = false;
+        s.message = {"The script was stopped at its line " + std::to_string(s.script.line) + ".", false};
+    } else if (s.help_open || s.open_dialog) {
         s.help_open = s.open_dialog = false;
     } else if (s.pinned_curve) {
         s.pinned_curve.reset();
@@ -161,6 +186,12 @@ const std::vector<Action> &list() {
          {"Ctrl+F12"}, [](State &s) { s.picture_request = PictureRequest::window; }},
         {"file.quit", Menu::file, "Quit", "Closes the window.", {"Ctrl+Q"}, [](State &s) { s.quit_request = true; }},
 
+        {"edit.undo", Menu::edit, "Undo", "Takes back the last change of a parameter or of the view.", {"Ctrl+Z"}, undo, can_undo},
+        {"edit.redo", Menu::edit, "Redo", "Does again what was undone.", {"Ctrl+Y", "Ctrl+Shift+Z"}, redo, can_redo},
+        {"edit.palette", Menu::edit, "Find an action…", "Everything that can be done, found by typing a part of its name.",
+         {"Ctrl+K"}, [](State &s) { s.palette = {!s.palette.open, {}, 0}; }, nullptr,
+         [](const State &s) { return s.palette.open; }},
+
         {"solve.play", Menu::solve, "Play / pause", "Goes on by itself, a phase at a time, until converged.", {"Space"},
          toggle_play, has_scene, [](const State &s) { return s.playing; }},
         {"solve.step", Menu::solve, "Step", "One iteration: refine, gather, push and pull.", {"Right"},
@@ -197,9 +228,9 @@ const std::vector<Action> &list() {
          "Cuts along shadow boundaries; a polynomial on each patch.", {"4"},
          use_strategy<Strategy::discontinuity_wavelet>, nullptr, uses_strategy<Strategy::discontinuity_wavelet>},
         {"strategy.meshing", Menu::strategy, "Discontinuity meshing",
-         "Cut along shadow boundaries, or split uniformly.", {"D"}, flip_meshing, nullptr,
+         "Cut along shadow boundaries, or split uniformly.", {"U"}, flip_meshing, nullptr,
          [](const State &s) { return cuts_along_curves(s.active_strategy()); }},
-        {"strategy.basis", Menu::strategy, "Multiwavelet basis", "A polynomial on each patch, or one value.", {"W"},
+        {"strategy.basis", Menu::strategy, "Multiwavelet basis", "A polynomial on each patch, or one value.", {"Shift+U"},
          flip_basis, nullptr, [](const State &s) { return !is_constant(s.active_strategy()); }},
         {"strategy.reconstructed", Menu::strategy, "Constants as quadratics",
          "Draws (a) or (b) as in 1993: quadratics through what the links bring to nodes of each patch, for the eye alone.",
@@ -212,7 +243,8 @@ const std::vector<Action> &list() {
          use_layout<Layout::two>, nullptr, uses_layout<Layout::two>},
         {"view.four", Menu::view, "Four panes", "All four strategies, with the same eye and step.", {"Ctrl+4"},
          use_layout<Layout::four>, nullptr, uses_layout<Layout::four>},
-        {"view.next_pane", Menu::view, "Next pane", "Makes the next pane the active one.", {"Tab"},
+        {"view.next_layout", Menu::view, "Next layout", "One pane, two panes, four panes, and so on.", {"Tab"}, next_layout},
+        {"view.next_pane", Menu::view, "Next pane", "Makes the next pane the active one.", {"Shift+Tab"},
          [](State &s) { s.panes().active = (s.panes().active + 1) % n_panes(s.layout); },
          [](const State &s) { return s.layout != Layout::single; }},
         {"view.reset", Menu::view, "Reset view", "Back to the eye that the scene began with.", {"R"}, reset_view,
@@ -220,7 +252,7 @@ const std::vector<Action> &list() {
         {"view.fit", Menu::view, "Fit", "Moves the eye until the whole scene is in the frame.", {"F"}, fit_view,
          has_scene},
         {"view.keyhole", Menu::view, "Keyhole",
-         "Shows what a point sees of each light; drag the point over a surface.", {"K"}, toggle_keyhole, has_scene,
+         "Shows what a point sees of each light; drag the point over a surface.", {"V"}, toggle_keyhole, has_scene,
          [](const State &s) { return s.keyhole.open; }},
         {"view.profile", Menu::view, "Profile along a line",
          "Plots the radiosity along a line, true and solved, and its slope; drag the line over a surface.", {"S"},
@@ -245,7 +277,7 @@ const std::vector<Action> &list() {
         {"view.panels", Menu::view, "Hide panels", "The scene alone; the same key brings the panels back.", {"F11"},
          [](State &s) { s.panels_hidden = !s.panels_hidden; }, nullptr,
          [](const State &s) { return s.panels_hidden; }},
-        {"view.theme", Menu::view, "Light background", "For projectors and print.", {"B"},
+        {"view.theme", Menu::view, "Light background", "For projectors and print.", {"Shift+B"},
          [](State &s) { s.look.theme = s.look.theme == Theme::dark ? Theme::light : Theme::dark; }, nullptr,
          [](const State &s) { return s.look.theme == Theme::light; }},
         {"view.larger", Menu::view, "Larger text", "Scales the whole interface up.", {"Ctrl++", "Ctrl+="},
@@ -257,7 +289,7 @@ const std::vector<Action> &list() {
          [](State &s) { s.look.layers.mesh = !s.look.layers.mesh; }, nullptr,
          [](const State &s) { return s.look.layers.mesh; }},
         {"layers.curves", Menu::layers, "Discontinuity curves", "Where the light or one of its derivatives jumps.",
-         {"C"}, [](State &s) { s.look.layers.curves = !s.look.layers.curves; }, nullptr,
+         {"D"}, [](State &s) { s.look.layers.curves = !s.look.layers.curves; }, nullptr,
          [](const State &s) { return s.look.layers.curves; }},
         {"layers.links", Menu::layers, "Links", "From the centre of each receiving element to its sources.", {"L"},
          [](State &s) { s.look.layers.links = !s.look.layers.links; }, nullptr,
@@ -265,11 +297,12 @@ const std::vector<Action> &list() {
         {"layers.fresh", Menu::layers, "Highlight new patches", "Outlines for a moment what the last refinement made.",
          {"N"}, [](State &s) { s.look.emphasise_fresh = !s.look.emphasise_fresh; }, nullptr,
          [](const State &s) { return s.look.emphasise_fresh; }},
-        {"layers.polynomial", Menu::layers, "Polynomial", "The solution itself, evaluated at every pixel.", {"P"},
+        {"layers.next_shading", Menu::layers, "Next shading", "Polynomial, flat, linear, and so on.", {"P"}, next_shading},
+        {"layers.polynomial", Menu::layers, "Polynomial", "The solution itself, evaluated at every pixel.", {},
          use_shading<Shading::polynomial>, nullptr, uses_shading<Shading::polynomial>},
-        {"layers.flat", Menu::layers, "Flat", "The mean of each patch.", {"O"}, use_shading<Shading::flat>, nullptr,
+        {"layers.flat", Menu::layers, "Flat", "The mean of each patch.", {}, use_shading<Shading::flat>, nullptr,
          uses_shading<Shading::flat>},
-        {"layers.linear", Menu::layers, "Linear", "Gouraud's interpolation of averaged corner values.", {"I"},
+        {"layers.linear", Menu::layers, "Linear", "Gouraud's interpolation of averaged corner values.", {},
          use_shading<Shading::linear>, nullptr, uses_shading<Shading::linear>},
         {"layers.error", Menu::layers, "Error", "How wrong the solution is, in place of the light.", {"X"}, flip_errors,
          has_scene, shows_errors},
@@ -283,10 +316,10 @@ const std::vector<Action> &list() {
          use_error<ErrorKind::patch>, has_scene, uses_error<ErrorKind::patch>},
         {"error.estimate", Menu::layers, "Error against the estimate", error_sentence(ErrorKind::estimate), {},
          use_error<ErrorKind::estimate>, has_scene, uses_error<ErrorKind::estimate>},
-        {"error.lock", Menu::layers, "Lock the error's range",
-         "Keeps the scale of errors as it is through steps and strategies, so that they can be compared.", {"Shift+L"},
-         toggle_range_lock, shows_errors, [](const State &s) { return s.truth.range_locked; }},
-        {"layers.false_colour", Menu::layers, "False colour", "Radiosity on the cividis scale, with its legend.", {"V"},
+        {"layers.lock_range", Menu::layers, "Lock the range",
+         "Keeps the scale of colours, or of errors, as it is through steps and strategies, so that they can be compared.", {"K"},
+         flip_range_lock, has_scene, range_is_locked},
+        {"layers.false_colour", Menu::layers, "False colour", "Radiosity on the cividis scale, with its legend.", {"C"},
          [](State &s) { s.look.false_colour = !s.look.false_colour; }, nullptr,
          [](const State &s) { return s.look.false_colour; }},
         {"layers.legend", Menu::layers, "Legend", "Scales and line kinds in the picture.", {"G"},
@@ -302,7 +335,7 @@ const std::vector<Action> &list() {
 } // namespace
 
 std::string_view title(Menu menu) {
-    constexpr std::string_view titles[] = {"File", "Solve", "Strategy", "View", "Layers", "Help"};
+    constexpr std::string_view titles[] = {"File", "Edit", "Solve", "Strategy", "View", "Layers", "Help"};
     return titles[static_cast<std::size_t>(menu)];
 }
 

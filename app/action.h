@@ -9,7 +9,7 @@
 
 namespace penumbra {
 
-enum class Menu { file, solve, strategy, view, layers, help };
+enum class Menu { file, edit, solve, strategy, view, layers, help };
 std::string_view title(Menu menu);
 
 struct Action {

@@ -33,6 +33,7 @@ struct ErrorMap; // iteration/error_map.h
 using Clock = std::chrono::steady_clock;
 
 enum class Layout { single, two, four };
+inline constexpr std::size_t n_layouts = 3;
 constexpr int n_panes(Layout layout) { return layout == Layout::single ? 1 : layout == Layout::two ? 2 : 4; }
 
 /// Which strategies stand side by side; each layout remembers its own.
@@ -40,6 +41,8 @@ struct PaneSet {
     std::array<Strategy, 4> strategies{};
     int active = 0; ///< the pane that strategy actions change and numbers are told of
     std::array<bool, 4> reconstructed{}; ///< constants are drawn as quadratics (quadratic.h)
+
+    bool operator==(const PaneSet &) const = default;
 };
 
 /// A sentence for the status bar; errors also stand over the panes until the next action.
@@ -77,6 +80,8 @@ struct KeyholeMode {
 struct SurfacePoint {
     int surface = 0;
     Vec3 point; ///< scene's own frame
+
+    bool operator==(const SurfacePoint &) const = default;
 };
 
 /// How wrong the solutions are, as far as it is known; see truth_verbs.h.
@@ -123,6 +128,42 @@ struct Microscope {
     std::string reading;                       ///< the number under the mouse, with its place
 };
 
+/// All that a user sets, but the step: what undo brings back. See history.h.
+struct Parameters {
+    std::shared_ptr<const Scene> scene;
+    Options options;
+    Layout layout{};
+    std::array<PaneSet, n_layouts> pane_sets;
+    Look look;                            ///< its ranges only where they were chosen, without a spotlight
+    std::optional<Camera> camera;         ///< none: nobody has moved it
+    std::optional<SurfacePoint> keyhole;  ///< none: closed
+    std::optional<std::pair<SurfacePoint, Vec3>> profile; ///< ends of its line; none: closed
+    std::optional<int> pinned_curve;
+    bool legend_hidden = false;
+
+    bool operator==(const Parameters &) const = default;
+};
+
+/// The way that parameters have taken; see history.h.
+struct History {
+    std::vector<Parameters> past, future; ///< the nearest last
+    std::optional<Parameters> present;    ///< none: nothing was seen yet
+    Clock::time_point moved_at;           ///< when the camera alone was last noted
+};
+
+/// Where anything can be found by typing a part of its name; see palette.h.
+struct PaletteMode {
+    bool open = false;
+    std::string typed;
+    int chosen = 0; ///< of palette_entries()
+};
+
+/// A script that is played; see script.h.
+struct ScriptMode {
+    bool playing = false;
+    int line = 0, n_lines = 0;
+};
+
 struct AppState {
     // What is solved.
     std::shared_ptr<const Scene> scene;
@@ -146,7 +187,7 @@ struct AppState {
 
     // How it is seen.
     Layout layout = Layout::single;
-    std::array<PaneSet, 3> pane_sets{{{{Strategy::discontinuity_wavelet}, 0},
+    std::array<PaneSet, n_layouts> pane_sets{{{{Strategy::discontinuity_wavelet}, 0},
                                       {{Strategy::uniform_constant, Strategy::discontinuity_wavelet}, 1},
                                       {{Strategy::uniform_constant, Strategy::discontinuity_constant,
                                         Strategy::uniform_wavelet, Strategy::discontinuity_wavelet},
@@ -179,6 +220,10 @@ struct AppState {
     std::vector<std::string> bundled_scenes; ///< names
     bool inert = false; ///< for tests of the tests: actions do nothing
     bool panels_hidden = false, help_open = false, open_dialog = false, legend_hidden = false;
+    PaletteMode palette;
+    ScriptMode script;
+    std::string caption; ///< a sentence below the panes, in the window and in pictures; empty: none
+    History history;
     std::string open_path; ///< in the dialog
     bool hint_done = false; ///< somebody has stepped: the hint has served
     double ui_scale = 1;
@@ -187,6 +232,7 @@ struct AppState {
     // Asked of the window; it does them and takes them back.
     std::optional<std::string> open_request; ///< bundled name or file
     std::optional<PictureRequest> picture_request;
+    std::string picture_file; ///< for that picture; empty: a numbered one in the folder of pictures
     bool state_request = false;
     bool cancel_request = false, quit_request = false;
 

@@ -32,7 +32,10 @@ void apply(AppState &state, const ProfileFollowed &followed) {
     }
 }
 
-void apply(AppState &state, const TruthFailed &failed) { state.message = {failed.sentence, true}; }
+void apply(AppState &state, const TruthFailed &failed) {
+    state.truth.halted = true;
+    state.message = {failed.sentence, true};
+}
 
 void apply(AppState &state, const TruthRested &) {
     state.truth.busy = false;

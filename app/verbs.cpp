@@ -1,11 +1,13 @@
 #include "verbs.h"
 
 #include "core/sentence.h"
+#include "history.h"
 #include "keyhole_verbs.h"
 #include "restore.h"
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace penumbra {
 
@@ -60,25 +62,15 @@ void start_anew(AppState &state) {
 void apply(AppState &state, const Opened &opened) {
     const Scene &scene = *opened.file.scene;
     const bool same = state.scene && state.scene->name == scene.name;
-    state.scene = opened.file.scene;
-    state.hovered_curve.reset();
-    state.pinned_curve.reset();
+    set_scene(state, opened.file.scene);
     state.look.curve_filter.source = -1;
-    state.keyhole = {};
-    state.microscope = {};
-    state.keyhole_to_open.reset();
-    const int lines = state.profile.asked; // their numbers are not used twice
-    state.profile = {};
-    state.profile.asked = lines;
-    state.profile_to_open.reset();
-    state.truth = {};
     state.opening.clear();
     state.playing = false;
     state.position = 0;
-    start_anew(state);
     state.prices = {};
     if (!same)
         state.camera_is_set = false;
+    forget_changes(state);
     const std::vector<std::string> notes = opened.file.notes();
     state.message = {"Opened " + scene.name + ": " + std::to_string(scene.n_surfaces()) + " surfaces." +
                          (notes.empty() ? "" : " " + notes.front()),
@@ -187,6 +179,21 @@ double advance_play(AppState &state, Clock::time_point now) {
         return wait;
     go_to(state, state.position + 1);
     return all_reached(state) ? 1 / state.phases_per_second : -1;
+}
+
+void set_scene(AppState &state, std::shared_ptr<const Scene> scene) {
+    state.scene = std::move(scene);
+    state.hovered_curve.reset();
+    state.pinned_curve.reset();
+    state.keyhole = {};
+    state.microscope = {};
+    state.keyhole_to_open.reset();
+    const int lines = state.profile.asked; // their numbers are not used twice
+    state.profile = {};
+    state.profile.asked = lines;
+    state.profile_to_open.reset();
+    state.truth = {};
+    start_anew(state);
 }
 
 void set_options(AppState &state, const Options &options) {

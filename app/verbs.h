@@ -26,6 +26,8 @@ double advance_play(AppState &state, Clock::time_point now);
 void set_options(AppState &state, const Options &options);
 /// The same; what had come to its end goes to the end again, which may take more steps.
 void start_again(AppState &state, const Options &options);
+/// Solves this scene from now on. What lies on surfaces of the one before is let go: keyhole, profile, curves, errors.
+void set_scene(AppState &state, std::shared_ptr<const Scene> scene);
 /// Shows this strategy in the active pane.
 void set_strategy(AppState &state, Strategy strategy);
 /// Draws the active pane's constants as quadratics, or as they are again.

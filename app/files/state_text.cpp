@@ -2,6 +2,7 @@
 
 #include "files/write_state.h"
 #include "iteration/error_map.h"
+#include "palette.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -111,6 +112,12 @@ Json microscope(const Microscope &m) {
     return j;
 }
 
+/// What the palette offers first.
+Json found(const AppState &s) {
+    const auto entries = palette_entries(s, s.palette.typed);
+    return entries.empty() ? Json() : Json(entries.front().title);
+}
+
 Json shelf(const Shelf &shelf) {
     constexpr std::string_view names[] = {"not run", "running", "ok", "failed"};
     Json j{{"checking", shelf.checking}, {"cases", Json::object()}};
@@ -174,6 +181,11 @@ std::string observed_state_text(const AppState &s) {
     j["hint"] = !s.hint_done;
     j["help"] = s.help_open;
     j["open_dialog"] = s.open_dialog;
+    j["palette"] = s.palette.open;
+    j["script"] = {{"playing", s.script.playing}, {"line", s.script.line}};
+    j["caption"] = s.caption;
+    j["found"] = s.palette.open && !s.palette.typed.empty() ? found(s) : Json();
+    j["changes"] = {{"past", s.history.past.size()}, {"future", s.history.future.size()}};
     j["panels_hidden"] = s.panels_hidden;
     j["ui_scale"] = s.ui_scale;
     j["speed"] = s.phases_per_second;

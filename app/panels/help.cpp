@@ -63,6 +63,7 @@ void draw_help(AppState &state) {
         draw_menu(Menu::solve);
         draw_menu(Menu::strategy);
         draw_menu(Menu::file);
+        draw_menu(Menu::edit);
         ImGui::TableNextColumn();
         draw_menu(Menu::layers);
         draw_menu(Menu::view);

@@ -20,7 +20,7 @@ void draw_item(AppState &state, const Action &action) {
 void draw_menu_bar(AppState &state) {
     if (!ImGui::BeginMainMenuBar())
         return;
-    for (const Menu menu : {Menu::file, Menu::solve, Menu::strategy, Menu::view, Menu::layers, Menu::help}) {
+    for (const Menu menu : {Menu::file, Menu::edit, Menu::solve, Menu::strategy, Menu::view, Menu::layers, Menu::help}) {
         const std::string name(title(menu));
         const bool open = ImGui::BeginMenu(name.c_str());
         if (!open) {

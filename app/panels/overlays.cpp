@@ -38,6 +38,11 @@ void draw_hint(AppState &state, const WindowRect &panes) {
               {0.93f, 0.76f, 0.38f, 0.95f}, {0.08f, 0.07f, 0.05f, 1});
 }
 
+void draw_caption(const AppState &state, const WindowRect &panes) {
+    if (!state.caption.empty())
+        draw_chip("caption", panes, 0.88f, state.caption.c_str(), {0.10f, 0.11f, 0.13f, 0.92f}, {1, 1, 1, 1});
+}
+
 void draw_error(AppState &state, const WindowRect &panes) {
     if (state.message.error)
         draw_chip("error", panes, 0.12f, state.message.text.c_str(), {0.55f, 0.13f, 0.10f, 0.96f}, {1, 0.96f, 0.94f, 1});

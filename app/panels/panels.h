@@ -26,8 +26,10 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
 void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 void draw_profile_line(const AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 void draw_hint(AppState &state, const WindowRect &panes);        ///< until the first step
+void draw_caption(const AppState &state, const WindowRect &panes); ///< of a lecture
 void draw_error(AppState &state, const WindowRect &panes);       ///< the message, when it is one
 void draw_open_dialog(AppState &state);
 void draw_help(AppState &state);
+void draw_palette(AppState &state);
 
 } // namespace penumbra

@@ -34,7 +34,7 @@ void draw_errors(AppState &state) {
     action_button(state, "error.patch", "of each patch", {half, 0});
     ImGui::SameLine(0, 1);
     action_button(state, "error.estimate", "vs. estimate", {half, 0});
-    action_check(state, "error.lock", "Lock the range");
+    action_check(state, "layers.lock_range");
 }
 
 void draw_shading(AppState &state) {
@@ -52,6 +52,7 @@ void draw_shading(AppState &state) {
         return;
     }
     action_check(state, "layers.false_colour");
+    action_check(state, "layers.lock_range");
     float ev = static_cast<float>(state.look.exposure_ev);
     field_label("exposure");
     if (ImGui::SliderFloat("##exposure", &ev, -6, 6, "%+.1f EV"))

@@ -111,11 +111,14 @@ Camera default_view(const Snapshot &snapshot, double aspect, const Vec3 &up) {
     return fit(camera, snapshot, aspect);
 }
 
+Camera camera_from(const View &view, const Scene &scene) {
+    return {to_glm(view.eye), to_glm(view.target), glm::normalize(to_glm(scene.up)), view.fov_degrees};
+}
+
 Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect) {
     if (!scene.view)
         return default_view(snapshot, aspect, scene.up);
-    const Camera camera{to_glm(scene.view->eye), to_glm(scene.view->target), glm::normalize(to_glm(scene.up)),
-                        scene.view->fov_degrees};
+    const Camera camera = camera_from(*scene.view, scene);
     constexpr double meant_for = 4.0 / 3;
     return aspect < meant_for ? zoom(camera, meant_for / aspect, camera.target) : camera;
 }

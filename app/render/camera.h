@@ -33,6 +33,8 @@ Camera default_view(const Snapshot &snapshot, double aspect, const Vec3 &up = Ve
 /// The view that the scene's file asks for, or else the default one. A file's view is meant for frames of 4:3 and wider;
 /// a narrower one shows it from farther away.
 Camera first_view(const Scene &scene, const Snapshot &snapshot, double aspect);
+/// What a file or an option names.
+Camera camera_from(const View &view, const Scene &scene);
 enum class Subject { lit_and_lamps, all_but_lamps }; ///< surfaces that reflect or emit; those that do not emit
 /// The same direction of view, moved and pulled back so that the subject just fills the frame.
 Camera fit(const Camera &camera, const Snapshot &snapshot, double aspect, Subject subject = Subject::lit_and_lamps);

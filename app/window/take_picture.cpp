@@ -13,6 +13,7 @@
 #include <cmath>
 #include <exception>
 #include <string>
+#include <utility>
 
 namespace penumbra {
 
@@ -40,6 +41,7 @@ PictureSpec panes_spec(const AppState &state, int width, int height) {
         spec.profile = state.profile.line;
     spec.look.spotlight.curve = state.pinned_curve.value_or(-1);
     spec.legend = !state.legend_hidden;
+    spec.caption = state.caption;
     return spec;
 }
 
@@ -55,7 +57,8 @@ void take_picture(AppState &state, PictureRequest request, int width, int height
         return;
     }
     try {
-        const auto file = numbered_name(pictures_folder(), "penumbra");
+        const std::string given = std::exchange(state.picture_file, {});
+        const std::filesystem::path file = given.empty() ? numbered_name(pictures_folder(), "penumbra") : std::filesystem::path(given);
         SavedState saved = saved_state(state, file.parent_path());
         Image image;
         if (request == PictureRequest::panes) {

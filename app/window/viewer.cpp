@@ -6,6 +6,7 @@
 #include "core/resident_memory.h"
 #include "files/state_text.h"
 #include "gl/context_lost.h"
+#include "history.h"
 #include "keyhole_verbs.h"
 #include "panels/panels.h"
 #include "profile_verbs.h"
@@ -62,7 +63,10 @@ Viewer::Viewer(ViewerSetup setup)
       window_("Penumbra", setup_.width, setup_.height,
               {[this](const std::string &key) { on_key(key); },
                [this](const std::string &file) { state_.open_request = file; }}),
-      worker_(setup_.read_file, GlfwWindow::wake), checker_(GlfwWindow::wake), judge_(GlfwWindow::wake) {}
+      worker_(setup_.read_file, GlfwWindow::wake), checker_(GlfwWindow::wake), judge_(GlfwWindow::wake) {
+    if (setup_.script)
+        script_.emplace(std::move(*setup_.script));
+}
 
 ViewerEnd Viewer::run() {
     const EndSignal signal(GlfwWindow::wake);
@@ -85,6 +89,7 @@ void Viewer::show_until_closed(const EndSignal &signal) {
             frames_owed_ = frames_to_settle;
         if (state_.busy || state_.playing)
             frames_owed_ = std::max(frames_owed_, 1);
+        play_script();
         if (frames_owed_ <= 0)
             continue;
         --frames_owed_;
@@ -94,6 +99,18 @@ void Viewer::show_until_closed(const EndSignal &signal) {
         serve_requests();
         write_state();
     }
+}
+
+/// A line at a time, when what the line before has changed was drawn.
+void Viewer::play_script() {
+    if (!script_ || frames_owed_ > 0)
+        return;
+    const int line = state_.script.line;
+    script_->play(state_);
+    if (state_.script.line != line || !state_.script.playing || !at_rest(state_))
+        frames_owed_ = frames_to_settle;
+    if (!state_.script.playing)
+        script_.reset();
 }
 
 bool Viewer::has_lost_context() const {
@@ -188,6 +205,8 @@ double Viewer::wait_time() {
         frames_owed_ = frames_to_settle;
     if (state_.busy)
         wait = sooner(wait, 0.1); // its clock runs
+    if (script_)
+        wait = sooner(wait, 0.02);
     if (state_.look.emphasise_fresh) {
         const double left = fresh_seconds - seconds_since(state_.fresh_since);
         if (left > 0)
@@ -322,9 +341,13 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
         draw_status_bar(state_, arrangement.status);
     }
     draw_hint(state_, arrangement.panes);
+    draw_caption(state_, arrangement.panes);
     draw_error(state_, arrangement.panes);
     draw_open_dialog(state_);
     draw_help(state_);
+    draw_palette(state_);
+    if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive())
+        note_changes(state_, Clock::now());
 }
 
 void Viewer::take_pictures() {

@@ -5,6 +5,7 @@
 #include "app_state.h"
 #include "check_worker.h"
 #include "render/labels.h"
+#include "script.h"
 #include "solve_worker.h"
 #include "truth_worker.h"
 #include "window/glfw_window.h"
@@ -25,6 +26,7 @@ struct ViewerSetup {
     SolveWorker::ReadFile read_file;
     std::optional<double> memory_limit;      ///< of resident memory, beyond which the solver is stopped [MiB]
     int width = 1280, height = 800;          ///< of the window [screen coordinates]
+    std::optional<Script> script;            ///< played first; none: nothing is
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
     bool inert = false;                      ///< for tests of the tests: actions do nothing
     bool lose_context = false;               ///< for tests: after the first step, as if the driver had lost the context
@@ -63,12 +65,14 @@ private:
     void draw_panels(const struct Arrangement &arrangement);
     void take_pictures();
     void update_fonts();
+    void play_script();
     void write_state();
 
     ViewerSetup setup_;
     AppState state_;
     GlfwWindow window_;
     PaneCanvas canvas_;
+    std::optional<ScriptPlayer> script_;
     SolveWorker worker_;
     CheckWorker checker_;
     TruthWorker judge_;

@@ -24,7 +24,7 @@ TEST(Errors, ArePicturedInAllPanesOnOneScale) {
                s["panes"][1].value("computed", 0) >= 3;
     });
     session.key("m");
-    session.key("c");
+    session.key("d");
     const Screenshot light = session.shot();
     session.key("x");
     const Json first = session.wait_until("the errors", all_measured);
@@ -77,7 +77,7 @@ TEST(Errors, ScaleFollowsTheStepsUnlessItIsLocked) {
     session.key("Right");
     at(3);
     session.settled();
-    session.key("shift+l");
+    session.key("k");
     session.wait_until("locked", [](const Json &s) { return s["error"]["locked"] == true; });
     const Json range = session.state()["error"]["range"];
     session.key("Right");

@@ -1,0 +1,129 @@
+#include "history.h"
+
+#include "keyhole_verbs.h"
+#include "profile_verbs.h"
+#include "verbs.h"
+
+#include <utility>
+#include <vector>
+
+namespace penumbra {
+
+namespace {
+
+constexpr std::size_t most_changes = 200;
+constexpr double one_movement = 1; ///< [s]
+
+bool differ_by_camera_alone(const Parameters &a, Parameters b) {
+    b.camera = a.camera;
+    return a == b;
+}
+
+void put_back(AppState &state, const Parameters &p) {
+    if (p.scene != state.scene)
+        set_scene(state, p.scene);
+    if (p.options != state.options)
+        start_again(state, p.options);
+    state.layout = p.layout;
+    state.pane_sets = p.pane_sets;
+    const Look shown = std::exchange(state.look, p.look);
+    state.chosen_range = p.look.range;
+    if (!p.look.range)
+        state.look.range = shown.range; // follows what is shown
+    state.truth.range_locked = p.look.error_range.has_value();
+    state.truth.ranged.clear();
+    state.camera_is_set = state.camera_moved = p.camera.has_value();
+    if (p.camera)
+        state.camera = *p.camera;
+    state.keyhole.open = p.keyhole.has_value();
+    if (p.keyhole)
+        move_keyhole(state, p.keyhole->surface, p.keyhole->point);
+    state.profile.open = p.profile.has_value();
+    if (p.profile)
+        set_profile(state, p.profile->first.surface, p.profile->first.point, p.profile->second);
+    state.pinned_curve = p.pinned_curve;
+    state.legend_hidden = p.legend_hidden;
+}
+
+void travel(AppState &state, std::vector<Parameters> &from, std::vector<Parameters> &to, const char *verb) {
+    History &history = state.history;
+    const Parameters here = *history.present, there = from.back();
+    to.push_back(here);
+    from.pop_back();
+    put_back(state, there);
+    history.present = parameters(state);
+    state.message = {std::string(verb) + change_words(here, there) + ".", false};
+}
+
+} // namespace
+
+Parameters parameters(const AppState &state) {
+    Parameters p;
+    p.scene = state.scene;
+    p.options = state.options;
+    p.layout = state.layout;
+    p.pane_sets = state.pane_sets;
+    p.look = state.look;
+    p.look.range = state.chosen_range;
+    p.look.spotlight = {};
+    if (!state.truth.range_locked)
+        p.look.error_range.reset();
+    if (state.camera_moved)
+        p.camera = state.camera;
+    if (state.keyhole.open && state.keyhole.seen)
+        p.keyhole = SurfacePoint{state.keyhole.seen->surface.index, state.keyhole.seen->point};
+    if (state.profile.open && state.profile.line)
+        p.profile = std::pair(SurfacePoint{state.profile.line->surface, state.profile.line->from}, state.profile.line->to);
+    p.pinned_curve = state.pinned_curve;
+    p.legend_hidden = state.legend_hidden;
+    return p;
+}
+
+void note_changes(AppState &state, Clock::time_point now) {
+    History &history = state.history;
+    Parameters p = parameters(state);
+    if (!history.present) {
+        history.present = std::move(p);
+        return;
+    }
+    if (p == *history.present)
+        return;
+    const bool moved = differ_by_camera_alone(*history.present, p);
+    const bool still_moving = moved && std::chrono::duration<double>(now - history.moved_at).count() < one_movement;
+    if (!still_moving || history.past.empty())
+        history.past.push_back(*history.present);
+    if (history.past.size() > most_changes)
+        history.past.erase(history.past.begin());
+    history.moved_at = moved ? now : Clock::time_point();
+    history.future.clear();
+    history.present = std::move(p);
+}
+
+void forget_changes(AppState &state) { state.history = {}; }
+
+bool can_undo(const AppState &state) { return !state.history.past.empty(); }
+bool can_redo(const AppState &state) { return !state.history.future.empty(); }
+void undo(AppState &state) { travel(state, state.history.past, state.history.future, "Undone: "); }
+void redo(AppState &state) { travel(state, state.history.future, state.history.past, "Done again: "); }
+
+std::string change_words(const Parameters &a, const Parameters &b) {
+    std::vector<std::string> what;
+    const auto say = [&](bool differs, const char *words) {
+        if (differs)
+            what.emplace_back(words);
+    };
+    say(a.scene != b.scene, "the scene");
+    say(a.options != b.options, "the options");
+    say(a.layout != b.layout || a.pane_sets != b.pane_sets, "the panes");
+    say(a.look != b.look || a.legend_hidden != b.legend_hidden, "what is shown");
+    say(a.camera != b.camera, "the view");
+    say(a.keyhole != b.keyhole, "the keyhole");
+    say(a.profile != b.profile, "the profile");
+    say(a.pinned_curve != b.pinned_curve, "the curve that is pinned");
+    std::string out;
+    for (std::size_t i = 0; i < what.size(); ++i)
+        out += (i == 0 ? "" : i + 1 == what.size() ? " and " : ", ") + what[i];
+    return out;
+}
+
+} // namespace penumbra
