@@ -4,6 +4,7 @@
 #include "history.h"
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
+#include "move_verbs.h"
 #include "profile_verbs.h"
 #include "render/error_scale.h"
 #include "shelf_verbs.h"
@@ -188,6 +189,8 @@ const std::vector<Action> &list() {
 
         {"edit.undo", Menu::edit, "Undo", "Takes back the last change of a parameter or of the view.", {"Ctrl+Z"}, undo, can_undo},
         {"edit.redo", Menu::edit, "Redo", "Does again what was undone.", {"Ctrl+Y", "Ctrl+Shift+Z"}, redo, can_redo},
+        {"edit.put_back", Menu::edit, "Put objects back", "Everything that was moved goes where the file has it.", {"Shift+O"},
+         put_objects_back, [](const State &s) { return !s.objects.moves.empty(); }},
         {"edit.palette", Menu::edit, "Find an action…", "Everything that can be done, found by typing a part of its name.",
          {"Ctrl+K"}, [](State &s) { s.palette = {!s.palette.open, {}, 0}; }, nullptr,
          [](const State &s) { return s.palette.open; }},
@@ -260,6 +263,9 @@ const std::vector<Action> &list() {
         {"view.filters", Menu::view, "Filter microscope",
          "Shows the push and pull filters of the split that made a patch; click one.", {"T"},
          use_inspector<Inspector::filters>, has_scene, uses_inspector<Inspector::filters>},
+        {"view.objects", Menu::view, "Move things",
+         "Lights, blockers and all else can be dragged, or be given a place and a size; mesh and curves follow.", {"O"},
+         use_inspector<Inspector::objects>, has_scene, uses_inspector<Inspector::objects>},
         {"view.hard_cases", Menu::view, "Hard cases", "The shelf of small scenes that are hard to solve, and their checks.",
          {"H"}, use_inspector<Inspector::hard_cases>, nullptr, uses_inspector<Inspector::hard_cases>},
         {"view.cost", Menu::view, "Cost of accuracy",

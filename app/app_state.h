@@ -11,6 +11,7 @@
 #include "render/event_words.h"
 #include "render/look.h"
 #include "render/pick.h"
+#include "scene/move_object.h"
 #include "scene/scene.h"
 #include "shelf.h"
 #include "timeline.h"
@@ -114,7 +115,7 @@ struct ProfileMode {
 };
 
 /// What stands at the right of the panes.
-enum class Inspector { none, filters, hard_cases, cost, effects };
+enum class Inspector { none, filters, hard_cases, cost, effects, objects };
 
 /// Looking at the filters of one split; see microscope_verbs.h.
 struct Microscope {
@@ -128,9 +129,20 @@ struct Microscope {
     std::string reading;                       ///< the number under the mouse, with its place
 };
 
+/// Objects that are moved; see move_verbs.h.
+struct ObjectsMode {
+    std::shared_ptr<const Scene> original;     ///< as its file has it
+    std::vector<ObjectMove> moves;             ///< from there, one an object
+    int chosen = -1;                           ///< first surface of the object in hand; -1: none
+    std::optional<Vec3> grabbed;               ///< point of it that the mouse holds, scene's own frame
+    /// What was shown before a drag goes on being shown until the step that is asked for is there again.
+    std::array<std::shared_ptr<const Snapshot>, 4> shown_before;
+};
+
 /// All that a user sets, but the step: what undo brings back. See history.h.
 struct Parameters {
     std::shared_ptr<const Scene> scene;
+    std::vector<ObjectMove> moves; ///< that led to the scene
     Options options;
     Layout layout{};
     std::array<PaneSet, n_layouts> pane_sets;
@@ -207,6 +219,7 @@ struct AppState {
     ProfileMode profile;
     std::optional<std::pair<Vec3, Vec3>> profile_to_open; ///< came with a state; as the keyhole's point
     Inspector inspector = Inspector::none;
+    ObjectsMode objects;
     Microscope microscope;
     CostMeasure cost_measure = CostMeasure::seconds; ///< of the plot of costs and its bars
     Shelf shelf;
@@ -254,7 +267,10 @@ struct AppState {
     /// Where the active pane stands: short of `position` while that is being computed, or where its course ends sooner.
     int shown_position() const { return std::clamp(position, 0, std::max(0, timeline(active_strategy()).last())); }
     /// Null before anything is known.
-    std::shared_ptr<const Snapshot> snapshot(Strategy s) const { return timeline(s).at(position); }
+    std::shared_ptr<const Snapshot> snapshot(Strategy s) const {
+        const auto &before = objects.shown_before[static_cast<std::size_t>(s)];
+        return before && !timeline(s).reached(position) ? before : timeline(s).at(position);
+    }
     bool reconstructs(int pane) const {
         const auto i = static_cast<std::size_t>(pane);
         return panes().reconstructed[i] && is_constant(panes().strategies[i]);

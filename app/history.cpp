@@ -1,6 +1,7 @@
 #include "history.h"
 
 #include "keyhole_verbs.h"
+#include "move_verbs.h"
 #include "profile_verbs.h"
 #include "verbs.h"
 
@@ -21,7 +22,7 @@ bool differ_by_camera_alone(const Parameters &a, Parameters b) {
 
 void put_back(AppState &state, const Parameters &p) {
     if (p.scene != state.scene)
-        set_scene(state, p.scene);
+        set_moves(state, p.scene, p.moves);
     if (p.options != state.options)
         start_again(state, p.options);
     state.layout = p.layout;
@@ -60,6 +61,7 @@ void travel(AppState &state, std::vector<Parameters> &from, std::vector<Paramete
 Parameters parameters(const AppState &state) {
     Parameters p;
     p.scene = state.scene;
+    p.moves = state.objects.moves;
     p.options = state.options;
     p.layout = state.layout;
     p.pane_sets = state.pane_sets;
@@ -112,7 +114,7 @@ std::string change_words(const Parameters &a, const Parameters &b) {
         if (differs)
             what.emplace_back(words);
     };
-    say(a.scene != b.scene, "the scene");
+    say(a.scene != b.scene, "where things are");
     say(a.options != b.options, "the options");
     say(a.layout != b.layout || a.pane_sets != b.pane_sets, "the panes");
     say(a.look != b.look || a.legend_hidden != b.legend_hidden, "what is shown");

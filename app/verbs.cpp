@@ -3,6 +3,7 @@
 #include "core/sentence.h"
 #include "history.h"
 #include "keyhole_verbs.h"
+#include "move_verbs.h"
 #include "restore.h"
 
 #include <algorithm>
@@ -62,7 +63,9 @@ void start_anew(AppState &state) {
 void apply(AppState &state, const Opened &opened) {
     const Scene &scene = *opened.file.scene;
     const bool same = state.scene && state.scene->name == scene.name;
-    set_scene(state, opened.file.scene);
+    set_scene(state, opened.file.original ? opened.file.original : opened.file.scene);
+    if (opened.file.state)
+        set_moves(state, opened.file.scene, opened.file.state->moves);
     state.look.curve_filter.source = -1;
     state.opening.clear();
     state.playing = false;
@@ -98,6 +101,8 @@ void apply(AppState &state, const Reached &reached) {
     timeline.ended = reached.ended;
     state.busy.reset();
     state.fresh_since = Clock::now();
+    if (timeline.reached(state.position))
+        state.objects.shown_before[static_cast<std::size_t>(reached.strategy)].reset();
     find_what_was_restored(state, reached.strategy);
     if (state.position > 0 && reached.strategy == state.active_strategy())
         tell(state);
@@ -193,7 +198,27 @@ void set_scene(AppState &state, std::shared_ptr<const Scene> scene) {
     state.profile.asked = lines;
     state.profile_to_open.reset();
     state.truth = {};
+    const auto original = state.scene;
+    state.objects = {};
+    state.objects.original = original;
     start_anew(state);
+}
+
+void replace_scene(AppState &state, std::shared_ptr<const Scene> scene) {
+    const bool at_the_end = at_end(state);
+    state.scene = std::move(scene);
+    state.hovered_curve.reset();
+    state.pinned_curve.reset();
+    state.truth = {};
+    state.profile.exact.clear();
+    state.profile.asked += 1;
+    state.profile.stale = true;
+    state.prices = {};
+    start_anew(state);
+    if (at_the_end)
+        state.position = far_ahead;
+    if (state.keyhole.open && state.keyhole.seen)
+        state.keyhole_to_open = state.keyhole.seen->point;
 }
 
 void set_options(AppState &state, const Options &options) {

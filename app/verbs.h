@@ -28,6 +28,8 @@ void set_options(AppState &state, const Options &options);
 void start_again(AppState &state, const Options &options);
 /// Solves this scene from now on. What lies on surfaces of the one before is let go: keyhole, profile, curves, errors.
 void set_scene(AppState &state, std::shared_ptr<const Scene> scene);
+/// The same where only objects have moved: keyhole, profile and what is picked stay where they are.
+void replace_scene(AppState &state, std::shared_ptr<const Scene> scene);
 /// Shows this strategy in the active pane.
 void set_strategy(AppState &state, Strategy strategy);
 /// Draws the active pane's constants as quadratics, or as they are again.

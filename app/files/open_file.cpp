@@ -84,7 +84,10 @@ OpenedFile open_file(const std::string &name, const std::optional<Vec3> &up) {
         throw BadInput(
             fmt::format("{}: curves.source is {}; the scene has {} surfaces, counted from 0: has it changed?", name,
                         source, scene->n_surfaces()));
-    return {std::move(scene), std::move(state)};
+    if (state->moves.empty())
+        return {std::move(scene), std::move(state)};
+    auto moved = std::make_shared<const Scene>(with_moves(*scene, state->moves));
+    return {std::move(moved), std::move(state), std::move(scene)};
 }
 
 } // namespace penumbra

@@ -14,6 +14,7 @@ namespace penumbra {
 struct OpenedFile {
     std::shared_ptr<const Scene> scene;
     std::optional<SavedState> state; ///< none: a scene was opened
+    std::shared_ptr<const Scene> original = nullptr; ///< before state->moves; null: nothing is moved
 
     /// What there is to say, a line each.
     std::vector<std::string> notes() const;

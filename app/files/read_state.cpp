@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t longest_scene_name = 4096;
 constexpr int most_iterations = 1'000'000, most_surfaces = 1'000'000, most_curves = 100'000'000;
+constexpr std::size_t most_moves = 1000;
 constexpr double farthest = 1e15; ///< of coordinates; the largest scene is far smaller
 
 double number_in(const JsonValue &value, double low, double high) {
@@ -85,6 +86,16 @@ Options read_options(const JsonValue &json) {
     read_whole(json, "max_depth", 0, 20, o.max_depth);
     read_whole(json, "max_iterations", 1, most_iterations, o.max_iterations);
     return o;
+}
+
+ObjectMove read_move(const JsonValue &json) {
+    ObjectMove move;
+    read_whole(json, "surface", 0, most_surfaces, move.surface);
+    if (const auto offset = json.known("offset"))
+        move.offset = triple<Vec3>(*offset);
+    if (const auto scale = json.known("scale"))
+        move.scale = positive_number(*scale);
+    return move;
 }
 
 void read_strategies(const JsonValue &list, SavedState &state) {
@@ -276,6 +287,12 @@ SavedState read_state(const std::string &file, std::string_view text) {
                                           file, by ? in_quotes(by->text()) : "not named", format));
     }
     read_scene(root, state);
+    if (const auto moves = root.known("moves")) {
+        if (const std::size_t n = moves->size(); n > most_moves)
+            moves->fail(fmt::format("has {} objects; at most {} are moved", n, most_moves));
+        for (std::size_t i = 0; i < moves->size(); ++i)
+            state.moves.push_back(read_move(moves->at(i)));
+    }
     if (const auto options = root.known("options"))
         state.options = read_options(*options);
     if (const auto strategies = root.known("strategies"))

@@ -4,6 +4,7 @@
 #include "core/options.h"
 #include "render/camera.h"
 #include "render/look.h"
+#include "scene/move_object.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -29,6 +30,7 @@ struct SavedState {
     std::string scene = {};      ///< name of a bundled scene, or the file's stem
     std::string file = {};       ///< relative to the state's folder, or absolute; empty: a bundled scene
     std::optional<char> up = {}; ///< the scene's up axis: x, y, z; none: the format's own
+    std::vector<ObjectMove> moves = {}; ///< of objects, from where the file has them
     Options options = {};        ///< the strategy is the active pane's; threads are not kept
     std::vector<Strategy> strategies = {Strategy::discontinuity_wavelet}; ///< of the panes, row by row
     std::vector<bool> reconstructed = {}; ///< by pane: constants are drawn as quadratics; empty: none is

@@ -1,6 +1,7 @@
 #include "files/state_text.h"
 
 #include "files/write_state.h"
+#include "move_verbs.h"
 #include "iteration/error_map.h"
 #include "palette.h"
 
@@ -39,7 +40,7 @@ Json price(const AppState &s) {
 }
 
 std::string_view name(Inspector inspector) {
-    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost", "effects"};
+    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost", "effects", "objects"};
     return names[static_cast<std::size_t>(inspector)];
 }
 
@@ -136,6 +137,7 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
         saved.file = place_of(*s.scene, folder);
         saved.up = up_axis(*s.scene);
     }
+    saved.moves = s.objects.moves;
     saved.options = s.options;
     saved.options.strategy = s.active_strategy();
     saved.strategies = s.shown();
@@ -196,6 +198,7 @@ std::string observed_state_text(const AppState &s) {
     j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
     j["looking"] = keyhole(s.keyhole);
     j["inspector"] = name(s.inspector);
+    j["object"] = s.objects.chosen >= 0 && s.scene ? Json(object_name(*s.scene, s.objects.chosen)) : Json();
     j["cost_measure"] = name(s.cost_measure);
     j["price"] = price(s);
     j["earlier_runs"] = s.prices.runs.size();

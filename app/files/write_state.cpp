@@ -60,6 +60,9 @@ Json state_json(const SavedState &s) {
     j["scene"] = s.scene;
     j["file"] = s.file.empty() ? Json() : Json(s.file);
     j["up"] = s.up ? Json(std::string(1, *s.up)) : Json();
+    j["moves"] = Json::array();
+    for (const ObjectMove &m : s.moves)
+        j["moves"].push_back({{"surface", m.surface}, {"offset", triple(m.offset)}, {"scale", m.scale}});
     j["options"] = options(s.options);
     j["position"] = s.position;
     j["iteration"] = iteration_of(s.position);

@@ -2,6 +2,7 @@
 #include "microscope_verbs.h"
 #include "panels/controls.h"
 #include "panels/navigation.h"
+#include "panels/object_drag.h"
 #include "panels/panels.h"
 #include "panels/split_sketch.h"
 #include "profile_verbs.h"
@@ -172,11 +173,11 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const FramePoint at = frame_point(rect, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (ImGui::IsItemActivated())
         begin_drag(state, point_under(state, snapshot.get(), aspect, at), pane);
-    const bool held = state.keyhole.dragging ||
+    const bool held = drag_object(state, snapshot.get(), aspect, at) || state.keyhole.dragging ||
                       state.profile.dragging != ProfileGrip::none; // also in the frame in which it is let go
     drag_keyhole(state, snapshot.get(), aspect, at);
     drag_profile(state, snapshot.get(), rect, at);
-    if (ImGui::IsItemActive() && !state.keyhole.dragging && state.profile.dragging == ProfileGrip::none &&
+    if (ImGui::IsItemActive() && !held && !state.keyhole.dragging && state.profile.dragging == ProfileGrip::none &&
         (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
         const auto dx = static_cast<double>(io.MouseDelta.x), dy = static_cast<double>(io.MouseDelta.y);
         const auto height = static_cast<double>(rect.height);
@@ -298,6 +299,8 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
     for (std::size_t pane = 0; pane < arrangement.pane.size(); ++pane)
         if (shown[pane] == state.active_strategy())
             draw_split_outline(state, list, arrangement.pane[pane]);
+    for (const WindowRect &pane : arrangement.pane)
+        draw_object_outline(state, list, pane);
     draw_profile_line(state, list, arrangement, fonts);
     draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);

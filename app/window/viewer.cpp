@@ -44,6 +44,9 @@ AppState first_state(const ViewerSetup &setup) {
     state.asked_tolerance = setup.options.tolerance.value_or(state.asked_tolerance);
     state.bundled_scenes = setup.bundled_scenes;
     state.scene = setup.file.scene;
+    state.objects.original = setup.file.original ? setup.file.original : setup.file.scene;
+    if (setup.file.state)
+        state.objects.moves = setup.file.state->moves;
     state.inert = setup.inert;
     state.pane_sets[0].strategies[0] = setup.options.strategy;
     if (setup.file.state)

@@ -60,6 +60,7 @@ const std::map<std::string, Expected> &expectations() {
         {"view.hard_cases", {"/inspector", "hard_cases", {"view.filters"}}},
         {"view.cost", {"/inspector", "cost", {}}},
         {"view.effects", {"/inspector", "effects", {}}},
+        {"view.objects", {"/inspector", "objects", {}}},
         {"view.panels", {"/panels_hidden", true, {}}},
         {"view.theme", {"/background", "light", {}}},
         {"view.larger", {"/ui_scale", nullptr, {}}},
@@ -89,7 +90,7 @@ const std::map<std::string, Expected> &expectations() {
 
 /// Left again afterwards by the same key, so that it can't disturb what follows.
 const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme", "view.keyhole",
-                                     "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
+                                     "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.objects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
                                      "layers.false_colour", "layers.legend", "help.keys"};
 
@@ -136,8 +137,8 @@ Json at(const Json &state, const std::string &place) {
 
 TEST(Keys, EveryActionIsTested) {
     for (const Action &action : actions()) {
-        // These three: below, in effects_test.cpp and in shelf_test.cpp.
-        const bool own_test = action.id == "file.quit" || action.id == "effects.by_scene" || action.id == "check.stop";
+        // These: below, in effects_test.cpp, shelf_test.cpp and objects_test.cpp.
+        const bool own_test = action.id == "file.quit" || action.id == "effects.by_scene" || action.id == "check.stop" || action.id == "edit.put_back";
         EXPECT_NE(own_test, expectations().contains(std::string(action.id))) << action.id << " has no test, or two";
         EXPECT_GT(action.help.size(), 10u) << action.id;
     }

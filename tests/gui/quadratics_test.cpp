@@ -12,7 +12,7 @@ bool drawn(const Json &s, bool quadratics) {
 
 TEST(Quadratics, StandBesideTheConstantsWithTheirOwnErrorAndFollowSteps) {
     Session session({"slanted-edge", "--threshold", "0.1"});
-    for (const char *key : {"n", "ctrl+2", "2", "Tab", "2", "Tab", "End"}) {
+    for (const char *key : {"n", "ctrl+2", "2", "shift+Tab", "2", "shift+Tab", "End"}) {
         session.key(key);
         session.settled();
     }

@@ -47,16 +47,16 @@ TEST_F(ShownTest, MeshAndCurvesAppearAndGo) {
     const double mesh = change_by("m");
     EXPECT_GT(mesh, 0.003);
     EXPECT_LT(mesh, 0.5);
-    const double curves = change_by("c");
+    const double curves = change_by("d");
     EXPECT_GT(curves, 0.0005);
     EXPECT_LT(curves, 0.2);
 }
 
 TEST_F(ShownTest, ShadingsDiffer) {
-    EXPECT_GT(change_by("o"), 0.05); // flat
-    EXPECT_GT(change_by("i"), 0.05); // linear
+    EXPECT_GT(change_by("p"), 0.05); // flat
+    EXPECT_GT(change_by("p"), 0.05); // linear
     EXPECT_GT(change_by("p"), 0.05); // polynomial
-    EXPECT_GT(change_by("v"), 0.1);  // false colour
+    EXPECT_GT(change_by("c"), 0.1);  // false colour
 }
 
 TEST_F(ShownTest, ExposureBrightensTheScene) {
