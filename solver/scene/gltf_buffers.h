@@ -3,14 +3,11 @@
 
 #include "core/vec.h"
 #include "scene/json_value.h"
+#include "scene/open_buffer.h"
 
-#include <functional>
 #include <map>
 
 namespace penumbra {
-
-/// Bytes of the buffer file of that (decoded, relative) name, or nothing when there is none in the scene's folder.
-using OpenBuffer = std::function<std::optional<std::string>(const std::string &name)>;
 
 /// All buffers that a scene uses may be this long together [bytes].
 inline constexpr std::size_t largest_buffers = std::size_t{256} << 20;

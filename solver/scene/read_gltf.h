@@ -3,8 +3,12 @@
 // cycles without a word.
 #pragma once
 
-#include "scene/gltf_buffers.h"
+#include "scene/open_buffer.h"
 #include "scene/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
 
 namespace penumbra {
 
