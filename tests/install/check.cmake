@@ -1,0 +1,66 @@
+# Installs what was built into a folder of this test's own, builds step.cpp against that, and compares what it prints with
+# the installed program's record of the same solution. The record is of another program on the same library: equal figures
+# mean that the package has the headers, the options' defaults and the libraries that the program was built with.
+cmake_minimum_required(VERSION 3.25)
+
+if(SANITIZE)
+  message("Skipped: the example is compiled as users do, without -fsanitize=${SANITIZE}, and would not link.")
+  return()
+endif()
+
+function(run)
+  execute_process(COMMAND ${ARGV} OUTPUT_VARIABLE output ECHO_OUTPUT_VARIABLE COMMAND_ERROR_IS_FATAL ANY)
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+set(prefix ${WORK}/moved)
+function(build source folder)
+  run(${CMAKE_COMMAND} -S ${source} -B ${folder} -G ${GENERATOR} -D CMAKE_PREFIX_PATH=${prefix}
+      -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=${BUILD_TYPE})
+  run(${CMAKE_COMMAND} --build ${folder})
+endfunction()
+
+# Moved once it is installed: a package may know no path but those from itself.
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+file(RENAME ${WORK}/installed ${prefix})
+file(GLOB_RECURSE package ${prefix}/*.cmake)
+foreach(file IN LISTS package)
+  file(READ ${file} text)
+  foreach(path ${SOURCE} ${BUILD} ${WORK})
+    string(FIND "${text}" ${path} at)
+    if(NOT at EQUAL -1)
+      message(FATAL_ERROR "${file} names ${path}")
+    endif()
+  endforeach()
+endforeach()
+
+build(${CMAKE_CURRENT_LIST_DIR}/headers ${WORK}/headers)
+build(${CMAKE_CURRENT_LIST_DIR} ${WORK}/example)
+run(${WORK}/example/step cornell-box 0.05)
+string(REGEX MATCHALL "iteration [^\n]+" lines "${output}")
+list(LENGTH lines iterations)
+if(NOT iterations GREATER 1 OR NOT output MATCHES "\nconverged after ${iterations} iterations\n$")
+  message(FATAL_ERROR "the example did not step until converged")
+endif()
+
+if(NOT APP)
+  return()
+endif()
+run(${prefix}/bin/penumbra solve cornell-box --threshold 0.05 --quiet)
+set(record "${output}")
+string(JSON recorded LENGTH "${record}" iterations)
+if(NOT recorded EQUAL iterations)
+  message(FATAL_ERROR "the example took ${iterations} iterations, the program ${recorded}")
+endif()
+set(i 0)
+foreach(line IN LISTS lines)
+  foreach(name iteration patches links change)
+    string(JSON ${name} GET "${record}" iterations ${i} ${name})
+  endforeach()
+  if(NOT line MATCHES "^iteration ${iteration}: ${patches} patches, ${links} links, change (.+)$"
+     OR NOT CMAKE_MATCH_1 EQUAL change)
+    message(FATAL_ERROR "example: ${line}\nprogram: iteration ${iteration}: ${patches} patches, ${links} links, change ${change}")
+  endif()
+  math(EXPR i "${i} + 1")
+endforeach()
