@@ -16,7 +16,10 @@ Darkness below_black(const Scene &scene, const Element &leaf, const Coefficients
                 const Rgb value = (leaf.basis.evaluate(p).transpose() * b).transpose().array();
                 if (value.minCoeff() >= -aim || is_covered(scene.surface(leaf.surface), p))
                     continue;
-                out.depth = std::max(out.depth, -value.minCoeff());
+                if (-value.minCoeff() > out.depth) {
+                    out.depth = -value.minCoeff();
+                    out.at = p;
+                }
                 out.damping = std::min(out.damping, ((mean + aim) / (mean - value).max(mean + aim)).minCoeff());
             }
     return out;

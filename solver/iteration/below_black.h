@@ -10,6 +10,7 @@ namespace penumbra {
 /// C.-W. Shu 2010, with black - aim for a bound).
 struct Darkness {
     double depth = 0, damping = 1;
+    Vec2 at = Vec2::Zero(); ///< where it is darkest
 };
 
 /// At points dense enough for its polynomial; what is covered is left out. 0 and 1 where it is nowhere more than `aim`

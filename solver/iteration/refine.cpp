@@ -43,7 +43,7 @@ struct Judgement {
     std::vector<ElementId> sources; ///< of the new links, unless kept
     double misfit = 0; ///< as a fraction of the threshold
     bool afresh = false; ///< its orders have become too low: nothing of the links is taken over
-    double dark = 0;     ///< it misses most of those that together bring a leaf this far below black [W/m2]; else 0
+    double dark = 0;     ///< it is one of those that bring a leaf this far below black [W/m2]; else 0
     double damping = 1;  ///< of the detail that it brings, with which the leaf would not be, did the others bring none
 };
 
@@ -143,34 +143,50 @@ private:
         });
     }
 
-    /// Light is not negative: a leaf that is by more than passes shows that fits, each of which may have passed, miss
-    /// too much together. The worst of them fails.
+    /// Light is not negative: a leaf that is by more than passes shows that fits, each of which may have passed, miss too
+    /// much together. Those fail that bring the most below black where it is darkest, until what the others bring passes.
     void judge_what_is_below_black() {
         if (allowance_.mean_square())
             return;
-        std::vector<Darkness> below(judgements_.size());
-        parallel_for(below.size(), [&](std::size_t e) {
+        const double aim = damping_share * allowance_.anywhere();
+        std::vector<Darkness> dark(judgements_.size());
+        parallel_for(dark.size(), [&](std::size_t e) {
             const Element &element = state_.forest.elements[e];
             if (element.leaf() && scene_.reflects(element.surface))
-                below[e] = below_black(scene_, element, state_.radiosity, damping_share * allowance_.anywhere());
+                dark[e] = below_black(scene_, element, state_.radiosity, aim);
         });
-        for (std::size_t leaf = 0; leaf < below.size(); ++leaf) {
-            if (below[leaf].depth <= allowance_.anywhere())
-                continue;
-            Judgement *worst = nullptr;
-            for (ElementId node(leaf); node.valid(); node = state_.forest[node].parent)
-                for (std::size_t i = 0; i < judgements_[node.at()].size(); ++i)
-                    if (Judgement &j = judgements_[node.at()][i];
-                        state_.interactions[node.at()][i]->fit.damping > 0 && j.misfit > (worst ? worst->misfit : 0))
-                        worst = &j;
-            if (!worst)
-                continue;
-            worst->dark = std::max(worst->dark, below[leaf].depth);
-            worst->damping = std::min(worst->damping, below[leaf].damping);
-            if (worst->verdict != Verdict::fail) {
-                worst->verdict = Verdict::fail;
-                worst->afresh = false;
+        for (std::size_t leaf = 0; leaf < dark.size(); ++leaf)
+            if (dark[leaf].depth > allowance_.anywhere())
+                fail_darkest(ElementId(leaf), dark[leaf], aim);
+    }
+
+    void fail_darkest(ElementId leaf, const Darkness &dark, double aim) {
+        struct Part {
+            double value = 0; ///< that it brings, of the channel where that is least; below 0
+            Judgement *judgement = nullptr;
+        };
+        std::vector<Part> parts;
+        double sum = 0;
+        const Rgb &rho = scene_.reflectance(state_.forest[leaf].surface);
+        for (ElementId node = leaf; node.valid(); node = state_.forest[node].parent)
+            for (std::size_t i = 0; i < judgements_[node.at()].size(); ++i) {
+                const Interaction &interaction = *state_.interactions[node.at()][i];
+                const double value = (rho * interaction.brings(state_.forest, state_.radiosity, dark.at)).minCoeff();
+                if (value >= 0 || interaction.fit.damping == 0)
+                    continue;
+                parts.push_back({value, &judgements_[node.at()][i]});
+                sum += value;
             }
+        std::ranges::sort(parts, {}, &Part::value);
+        for (const Part &part : parts) {
+            if (sum >= -aim)
+                return;
+            sum -= part.value;
+            Judgement &j = *part.judgement;
+            j.dark = std::max(j.dark, dark.depth);
+            j.damping = std::min(j.damping, dark.damping);
+            j.verdict = Verdict::fail;
+            j.afresh = false;
         }
     }
 

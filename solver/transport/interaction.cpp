@@ -58,6 +58,18 @@ Rgb Interaction::mean_square_misfit(const Forest &forest, const Coefficients &ra
     return all.rows() == 0 ? Rgb(Rgb::Zero()) : Rgb(all.array().square().colwise().mean().transpose());
 }
 
+Rgb Interaction::brings(const Forest &forest, const Coefficients &radiosity, const Vec2 &at) const {
+    const Element &p = forest[receiver];
+    const BasisValues all = p.basis.evaluate(at);
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (const Link &link : links) {
+        const Eigen::Matrix<double, Eigen::Dynamic, 3> g = link.kernel * radiosity_of(forest, link, radiosity);
+        for (Eigen::Index k = 0; k < g.rows(); ++k)
+            sum += all[p.basis.place(order, static_cast<int>(k))] * g.row(k);
+    }
+    return sum.transpose().array();
+}
+
 Rgb Interaction::left_out(const Forest &forest, const Coefficients &radiosity) const {
     Rgb sum = Rgb::Zero();
     for (const Link &link : links)

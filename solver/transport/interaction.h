@@ -80,6 +80,8 @@ struct Interaction {
     /// The mean of (T_S - fit)^2 over them, all counting the same: borders and shadows, where they are dense, weigh more
     /// than their area.
     Rgb mean_square_misfit(const Forest &forest, const Coefficients &radiosity) const;
+    /// What the links bring to a point of p [W/m2, before reflection].
+    Rgb brings(const Forest &forest, const Coefficients &radiosity, const Vec2 &at) const;
     /// About the most that columns which were left out would bring anywhere on p [W/m2, before reflection].
     Rgb left_out(const Forest &forest, const Coefficients &radiosity) const;
 
