@@ -1,10 +1,12 @@
 #include "action.h"
 
+#include "bookmark_verbs.h"
 #include "effect_verbs.h"
 #include "history.h"
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
 #include "move_verbs.h"
+#include "presets.h"
 #include "profile_verbs.h"
 #include "render/error_scale.h"
 #include "shelf_verbs.h"
@@ -189,6 +191,14 @@ const std::vector<Action> &list() {
 
         {"edit.undo", Menu::edit, "Undo", "Takes back the last change of a parameter or of the view.", {"Ctrl+Z"}, undo, can_undo},
         {"edit.redo", Menu::edit, "Redo", "Does again what was undone.", {"Ctrl+Y", "Ctrl+Shift+Z"}, redo, can_redo},
+        {"edit.copy_view", Menu::edit, "Copy view", "The eye, its target and the angle, as text that --view takes.", {"Ctrl+C"},
+         [](State &s) {
+             s.copy_request = view_text(s.camera);
+             s.message = {"Copied: " + *s.copy_request, false};
+         },
+         has_scene},
+        {"edit.paste_view", Menu::edit, "Paste view", "Looks as the view in the clipboard does.", {"Ctrl+V"},
+         [](State &s) { s.paste_request = true; }, has_scene},
         {"edit.put_back", Menu::edit, "Put objects back", "Everything that was moved goes where the file has it.", {"Shift+O"},
          put_objects_back, [](const State &s) { return !s.objects.moves.empty(); }},
         {"edit.palette", Menu::edit, "Find an action…", "Everything that can be done, found by typing a part of its name.",
@@ -247,6 +257,12 @@ const std::vector<Action> &list() {
         {"view.four", Menu::view, "Four panes", "All four strategies, with the same eye and step.", {"Ctrl+4"},
          use_layout<Layout::four>, nullptr, uses_layout<Layout::four>},
         {"view.next_layout", Menu::view, "Next layout", "One pane, two panes, four panes, and so on.", {"Tab"}, next_layout},
+        {"view.lecture", Menu::view, "Preset: lecture", "One pane, large text, mesh and curves, no panels.", {"F5"}, preset_lecture},
+        {"view.compare", Menu::view, "Preset: compare",
+         "Uniform beside discontinuity meshing in the same basis, on one range that stays.", {"F6"}, preset_compare},
+        {"view.inspect", Menu::view, "Preset: inspect", "One pane with mesh, curves and links, and the inspector.", {"F7"},
+         preset_inspect},
+        {"view.figure", Menu::view, "Preset: figure", "All four strategies on a light background, no panels.", {"F8"}, preset_figure},
         {"view.next_pane", Menu::view, "Next pane", "Makes the next pane the active one.", {"Shift+Tab"},
          [](State &s) { s.panes().active = (s.panes().active + 1) % n_panes(s.layout); },
          [](const State &s) { return s.layout != Layout::single; }},
@@ -266,6 +282,15 @@ const std::vector<Action> &list() {
         {"view.objects", Menu::view, "Move things",
          "Lights, blockers and all else can be dragged, or be given a place and a size; mesh and curves follow.", {"O"},
          use_inspector<Inspector::objects>, has_scene, uses_inspector<Inspector::objects>},
+        {"view.bookmark", Menu::view, "Bookmark this view", "Keeps scene, options, step and view, with a caption.", {"Ctrl+B"},
+         add_bookmark, has_scene},
+        {"view.next_bookmark", Menu::view, "Next bookmark", "Shows the next view that was kept.", {"PageDown"},
+         [](State &s) { go_to_bookmark(s, s.bookmark + 1); },
+         [](const State &s) { return s.bookmark + 1 < static_cast<int>(s.bookmarks.size()); }},
+        {"view.previous_bookmark", Menu::view, "Previous bookmark", "Shows the view that was kept before.", {"PageUp"},
+         [](State &s) { go_to_bookmark(s, s.bookmark - 1); }, [](const State &s) { return s.bookmark > 0; }},
+        {"view.bookmarks", Menu::view, "Bookmarks", "The views that were kept, to be gone to, captioned or taken away.",
+         {"Ctrl+Shift+B"}, use_inspector<Inspector::bookmarks>, nullptr, uses_inspector<Inspector::bookmarks>},
         {"view.hard_cases", Menu::view, "Hard cases", "The shelf of small scenes that are hard to solve, and their checks.",
          {"H"}, use_inspector<Inspector::hard_cases>, nullptr, uses_inspector<Inspector::hard_cases>},
         {"view.cost", Menu::view, "Cost of accuracy",

@@ -2,6 +2,7 @@
 // follows from it.
 #pragma once
 
+#include "files/saved_state.h"
 #include "iteration/split_filters.h"
 #include "measure/keyhole.h"
 #include "plot/cost_measure.h"
@@ -115,7 +116,7 @@ struct ProfileMode {
 };
 
 /// What stands at the right of the panes.
-enum class Inspector { none, filters, hard_cases, cost, effects, objects };
+enum class Inspector { none, filters, hard_cases, cost, effects, objects, bookmarks };
 
 /// Looking at the filters of one split; see microscope_verbs.h.
 struct Microscope {
@@ -235,6 +236,9 @@ struct AppState {
     bool panels_hidden = false, help_open = false, open_dialog = false, legend_hidden = false;
     PaletteMode palette;
     ScriptMode script;
+    std::vector<SavedState> bookmarks; ///< see bookmark_verbs.h
+    int bookmark = -1;                 ///< that was gone to last
+    std::optional<SavedState> to_restore; ///< as soon as its scene is open
     std::string caption; ///< a sentence below the panes, in the window and in pictures; empty: none
     History history;
     std::string open_path; ///< in the dialog
@@ -247,6 +251,8 @@ struct AppState {
     std::optional<PictureRequest> picture_request;
     std::string picture_file; ///< for that picture; empty: a numbered one in the folder of pictures
     bool state_request = false;
+    std::optional<std::string> copy_request; ///< text for the clipboard
+    bool paste_request = false;              ///< of a view from the clipboard
     bool cancel_request = false, quit_request = false;
 
     std::map<std::string, WindowRect> widgets; ///< where each control was drawn in the last frame, by action or name

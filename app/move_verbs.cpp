@@ -33,6 +33,11 @@ void set_moves(AppState &state, std::shared_ptr<const Scene> scene, const std::v
     replace_scene(state, std::move(scene));
 }
 
+void set_moves(AppState &state, const std::vector<ObjectMove> &moves) {
+    const auto &original = state.objects.original;
+    set_moves(state, moves.empty() ? original : std::make_shared<const Scene>(with_moves(*original, moves)), moves);
+}
+
 void move_object(AppState &state, const ObjectMove &move) {
     ObjectsMode &mode = state.objects;
     if (!mode.original || move.surface < 0 || move == move_in_hand(state))
@@ -45,8 +50,7 @@ void move_object(AppState &state, const ObjectMove &move) {
         moves.push_back(move);
     std::ranges::sort(moves, {}, &ObjectMove::surface);
     try {
-        auto scene = moves.empty() ? mode.original : std::make_shared<const Scene>(with_moves(*mode.original, moves));
-        set_moves(state, std::move(scene), moves);
+        set_moves(state, moves);
     } catch (const BadInput &e) {
         state.message = {e.what(), true};
     }
@@ -55,7 +59,7 @@ void move_object(AppState &state, const ObjectMove &move) {
 void put_objects_back(AppState &state) {
     if (state.objects.moves.empty())
         return;
-    set_moves(state, state.objects.original, {});
+    set_moves(state, std::vector<ObjectMove>());
     state.message = {"Every object is where the file has it.", false};
 }
 

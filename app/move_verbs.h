@@ -16,6 +16,9 @@ void put_objects_back(AppState &state);
 /// Takes these moves of the original scene for the present ones; see history.h.
 void set_moves(AppState &state, std::shared_ptr<const Scene> scene, const std::vector<ObjectMove> &moves);
 
+/// The same, the scene made from them; throws BadInput where it cannot be.
+void set_moves(AppState &state, const std::vector<ObjectMove> &moves);
+
 /// "lamp", or "surface 3" where it has no name.
 std::string object_name(const Scene &scene, int surface);
 

@@ -1,7 +1,9 @@
 #include "restore.h"
 
 #include "keyhole_verbs.h"
+#include "move_verbs.h"
 #include "profile_verbs.h"
+#include "verbs.h"
 
 #include <algorithm>
 #include <utility>
@@ -60,8 +62,28 @@ void restore(AppState &state, const SavedState &saved) {
     if (saved.look.spotlight.curve >= 0)
         state.pinned_curve = saved.look.spotlight.curve;
     state.truth.range_locked = saved.error_range_locked && saved.look.error_range;
+    state.caption = saved.caption;
+    if (!saved.bookmarks.empty())
+        state.bookmarks = saved.bookmarks;
     state.keyhole_to_open = saved.keyhole;
     state.profile_to_open = saved.profile;
+}
+
+void bring_back(AppState &state, const SavedState &saved) {
+    if (saved.moves != state.objects.moves && state.objects.original)
+        set_moves(state, saved.moves);
+    Options options = saved.options;
+    options.threads = state.options.threads;
+    options.strategy = state.options.strategy;
+    if (options != state.options)
+        set_options(state, options);
+    state.keyhole.open = state.profile.open = false;
+    state.pinned_curve.reset();
+    restore(state, saved);
+    state.options.strategy = options.strategy;
+    find_what_was_restored(state, state.active_strategy());
+    if (state.snapshot(state.active_strategy()))
+        state.message = {state.caption, false};
 }
 
 void find_what_was_restored(AppState &state, Strategy strategy) {

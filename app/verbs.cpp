@@ -80,10 +80,13 @@ void apply(AppState &state, const Opened &opened) {
                      false};
     if (opened.file.state)
         restore(state, *opened.file.state);
+    if (const auto view = std::exchange(state.to_restore, std::nullopt))
+        bring_back(state, *view);
 }
 
 void apply(AppState &state, const Refused &refused) {
     state.opening.clear();
+    state.to_restore.reset();
     state.message = {refused.sentence, true};
 }
 

@@ -14,7 +14,7 @@ namespace penumbra {
 
 namespace {
 
-constexpr std::size_t longest_scene_name = 4096;
+constexpr std::size_t longest_line = 4096, most_bookmarks = 100;
 constexpr int most_iterations = 1'000'000, most_surfaces = 1'000'000, most_curves = 100'000'000;
 constexpr std::size_t most_moves = 1000;
 constexpr double farthest = 1e15; ///< of coordinates; the largest scene is far smaller
@@ -246,12 +246,14 @@ SavedPicture read_picture(const JsonValue &json) {
 }
 
 /// Of one printable line, as messages quote it.
-std::string read_name(const JsonValue &value) {
-    std::string text = value.text(longest_scene_name);
+std::string read_line(const JsonValue &value, const char *remedy) {
+    std::string text = value.text(longest_line);
     if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
-        value.fail("has control characters; rename the scene's file");
+        value.fail(std::string("has control characters; ") + remedy);
     return text;
 }
+
+std::string read_name(const JsonValue &value) { return read_line(value, "rename the scene's file"); }
 
 void read_scene(const JsonValue &root, SavedState &state) {
     const JsonValue scene = root["scene"];
@@ -268,24 +270,8 @@ void read_scene(const JsonValue &root, SavedState &state) {
     }
 }
 
-} // namespace
-
-SavedState read_state(const std::string &file, std::string_view text) {
-    if (text.size() > largest_state)
-        throw BadInput(
-            fmt::format("{}: is longer than a saved state's limit of {} KiB; open a file that Penumbra wrote", file,
-                        largest_state >> 10));
-    const nlohmann::json json = parse_json(file, text, {.bytes = largest_state, .depth = 16, .values = 20'000});
-    const JsonValue root(json, file);
-    SavedState state;
-    int format = state_format;
-    read_whole(root, "format", 1, 1'000'000, format);
-    if (format > state_format) {
-        const auto by = root.known("written_by");
-        state.notes.push_back(fmt::format("{}: was written by a later version ({}, format {}); what this one does not "
-                                          "know is passed over",
-                                          file, by ? in_quotes(by->text()) : "not named", format));
-    }
+/// What is shown, and how.
+void read_view(const JsonValue &root, SavedState &state) {
     read_scene(root, state);
     if (const auto moves = root.known("moves")) {
         if (const std::size_t n = moves->size(); n > most_moves)
@@ -315,6 +301,35 @@ SavedState read_state(const std::string &file, std::string_view text) {
     }
     if (const auto picture = root.known("picture"))
         state.picture = read_picture(*picture);
+    if (const auto caption = root.known("caption"))
+        state.caption = read_line(*caption, "take them out");
+}
+
+} // namespace
+
+SavedState read_state(const std::string &file, std::string_view text) {
+    if (text.size() > largest_state)
+        throw BadInput(
+            fmt::format("{}: is longer than a saved state's limit of {} KiB; open a file that Penumbra wrote", file,
+                        largest_state >> 10));
+    const nlohmann::json json = parse_json(file, text, {.bytes = largest_state, .depth = 16, .values = 20'000});
+    const JsonValue root(json, file);
+    SavedState state;
+    int format = state_format;
+    read_whole(root, "format", 1, 1'000'000, format);
+    if (format > state_format) {
+        const auto by = root.known("written_by");
+        state.notes.push_back(fmt::format("{}: was written by a later version ({}, format {}); what this one does not "
+                                          "know is passed over",
+                                          file, by ? in_quotes(by->text()) : "not named", format));
+    }
+    read_view(root, state);
+    if (const auto bookmarks = root.known("bookmarks")) {
+        if (const std::size_t n = bookmarks->size(); n > most_bookmarks)
+            bookmarks->fail(fmt::format("has {} views; at most {} are kept", n, most_bookmarks));
+        for (std::size_t i = 0; i < bookmarks->size(); ++i)
+            read_view(bookmarks->at(i), state.bookmarks.emplace_back());
+    }
     return state;
 }
 

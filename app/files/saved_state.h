@@ -45,6 +45,8 @@ struct SavedState {
     std::optional<Vec3> keyhole = {};         ///< scene's own frame
     std::optional<std::pair<Vec3, Vec3>> profile = {}; ///< ends of its line, scene's own frame
     std::optional<SavedPicture> picture = {}; ///< none: no picture of the panes
+    std::string caption = {};                 ///< below the panes; empty: none
+    std::vector<SavedState> bookmarks = {};   ///< without bookmarks of their own; the lecture that goes with a state
     std::vector<std::string> notes = {};      ///< what was to be said while reading, a line each; not written
 };
 

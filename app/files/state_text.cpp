@@ -40,7 +40,7 @@ Json price(const AppState &s) {
 }
 
 std::string_view name(Inspector inspector) {
-    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost", "effects", "objects"};
+    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost", "effects", "objects", "bookmarks"};
     return names[static_cast<std::size_t>(inspector)];
 }
 
@@ -154,6 +154,8 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
     saved.legend = !s.legend_hidden;
     if (s.keyhole.open && s.keyhole.seen)
         saved.keyhole = s.keyhole.seen->point;
+    saved.caption = s.caption;
+    saved.bookmarks = s.bookmarks;
     saved.error_range_locked = s.truth.range_locked;
     if (s.profile.open && s.profile.line)
         saved.profile = std::pair(s.profile.line->from, s.profile.line->to);
@@ -199,6 +201,7 @@ std::string observed_state_text(const AppState &s) {
     j["looking"] = keyhole(s.keyhole);
     j["inspector"] = name(s.inspector);
     j["object"] = s.objects.chosen >= 0 && s.scene ? Json(object_name(*s.scene, s.objects.chosen)) : Json();
+    j["bookmark"] = s.bookmark;
     j["cost_measure"] = name(s.cost_measure);
     j["price"] = price(s);
     j["earlier_runs"] = s.prices.runs.size();

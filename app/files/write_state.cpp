@@ -44,9 +44,8 @@ Json picture(const SavedPicture &p) {
     return {{"width", p.width}, {"height", p.height}, {"lettered", p.lettered}, {"priced", p.priced}};
 }
 
-} // namespace
-
-Json state_json(const SavedState &s) {
+/// All but the bookmarks and the format.
+Json view_json(const SavedState &s) {
     const Look &look = s.look;
     Json strategies = Json::array();
     for (const Strategy strategy : s.strategies)
@@ -55,8 +54,6 @@ Json state_json(const SavedState &s) {
     for (std::size_t i = 0; i < s.strategies.size(); ++i)
         reconstructed.push_back(i < s.reconstructed.size() && s.reconstructed[i]);
     Json j;
-    j["format"] = state_format;
-    j["written_by"] = "penumbra " PENUMBRA_VERSION;
     j["scene"] = s.scene;
     j["file"] = s.file.empty() ? Json() : Json(s.file);
     j["up"] = s.up ? Json(std::string(1, *s.up)) : Json();
@@ -92,6 +89,20 @@ Json state_json(const SavedState &s) {
     j["range_chosen"] = s.range_chosen;
     j["background"] = look.theme == Theme::dark ? "dark" : "light";
     j["picture"] = s.picture ? picture(*s.picture) : Json();
+    j["caption"] = s.caption;
+    return j;
+}
+
+} // namespace
+
+Json state_json(const SavedState &s) {
+    Json j;
+    j["format"] = state_format;
+    j["written_by"] = "penumbra " PENUMBRA_VERSION;
+    j.update(view_json(s));
+    j["bookmarks"] = Json::array();
+    for (const SavedState &bookmark : s.bookmarks)
+        j["bookmarks"].push_back(view_json(bookmark));
     return j;
 }
 

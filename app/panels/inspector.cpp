@@ -20,6 +20,8 @@ void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts)
         draw_microscope(state);
     else if (state.inspector == Inspector::hard_cases)
         draw_hard_cases(state);
+    else if (state.inspector == Inspector::bookmarks)
+        draw_bookmarks(state);
     else if (state.inspector == Inspector::objects)
         draw_objects(state);
     else if (state.inspector == Inspector::effects)

@@ -16,6 +16,7 @@ void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts)
 void draw_cost(AppState &state, const Fonts &fonts);              ///< in the inspector
 void draw_microscope(AppState &state);                            ///< in the inspector
 void draw_hard_cases(AppState &state);                            ///< in the inspector
+void draw_bookmarks(AppState &state);                             ///< in the inspector
 void draw_objects(AppState &state);                               ///< in the inspector
 void draw_effects(AppState &state);                               ///< in the inspector
 void draw_profile_panel(AppState &state, const WindowRect &rect, const Fonts &fonts); ///< where it is open

@@ -20,6 +20,8 @@ std::string_view named(int key) {
     case GLFW_KEY_DOWN: return "Down";
     case GLFW_KEY_HOME: return "Home";
     case GLFW_KEY_END: return "End";
+    case GLFW_KEY_PAGE_UP: return "PageUp";
+    case GLFW_KEY_PAGE_DOWN: return "PageDown";
     case GLFW_KEY_KP_ADD: return "+";
     case GLFW_KEY_KP_SUBTRACT: return "-";
     default: return {};

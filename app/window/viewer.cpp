@@ -1,6 +1,7 @@
 #include "window/viewer.h"
 
 #include "action.h"
+#include "bookmark_verbs.h"
 #include "core/atomic_write.h"
 #include "core/error.h"
 #include "core/resident_memory.h"
@@ -163,6 +164,13 @@ void Viewer::serve_requests() {
     if (auto name = std::exchange(state_.open_request, std::nullopt)) {
         state_.opening = *name;
         worker_.open(std::move(*name));
+        frames_owed_ = frames_to_settle;
+    }
+    if (const auto text = std::exchange(state_.copy_request, std::nullopt))
+        ImGui::SetClipboardText(text->c_str());
+    if (std::exchange(state_.paste_request, false)) {
+        const char *text = ImGui::GetClipboardText();
+        use_view_text(state_, text ? text : "");
         frames_owed_ = frames_to_settle;
     }
     if (std::exchange(state_.state_request, false)) {

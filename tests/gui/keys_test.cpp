@@ -48,6 +48,14 @@ const std::map<std::string, Expected> &expectations() {
         {"view.single", {"/layout", "single", {"view.two"}}},
         {"view.two", {"/layout", "two", {}}},
         {"view.four", {"/layout", "four", {}}},
+        {"view.lecture", {"/ui_scale", 1.5, {}}},
+        {"view.compare", {"/strategies", Json{"uniform-wavelet", "discontinuity-wavelet"}, {"strategy.d"}}},
+        {"view.inspect", {"/layers/links", true, {}}},
+        {"view.figure", {"/background", "light", {}}},
+        {"view.bookmark", {"/bookmarks/0/scene", "figure-4", {}}},
+        {"view.bookmarks", {"/inspector", "bookmarks", {}}},
+        {"edit.copy_view", {"/message", nullptr, {"view.single"}}},
+        {"edit.paste_view", {"/camera/eye", nullptr, {"edit.copy_view", "view.fit"}}},
         {"view.next_layout", {"/layout", "two", {}}},
         {"view.next_pane", {"/active", nullptr, {"view.two"}}},
         {"view.fit", {"/camera/eye", nullptr, {}}},
@@ -137,13 +145,30 @@ Json at(const Json &state, const std::string &place) {
 
 TEST(Keys, EveryActionIsTested) {
     for (const Action &action : actions()) {
-        // These: below, in effects_test.cpp, shelf_test.cpp and objects_test.cpp.
-        const bool own_test = action.id == "file.quit" || action.id == "effects.by_scene" || action.id == "check.stop" || action.id == "edit.put_back";
+        // These: below, in effects_test.cpp, shelf_test.cpp, objects_test.cpp and bookmarks_test.cpp.
+        const bool own_test = action.id == "file.quit" || action.id == "effects.by_scene" || action.id == "check.stop" || action.id == "edit.put_back" ||
+                              action.id == "view.next_bookmark" || action.id == "view.previous_bookmark";
         EXPECT_NE(own_test, expectations().contains(std::string(action.id))) << action.id << " has no test, or two";
         EXPECT_GT(action.help.size(), 10u) << action.id;
     }
     for (const auto &[id, expected] : expectations())
         EXPECT_NE(find_action(id), nullptr) << id << " is no action";
+}
+
+/// Leaves what the presets and others have turned on, so that it can't disturb what follows.
+void tidy(Session &session) {
+    const Json s = session.settled();
+    const auto leave = [&](bool on, const std::string &id) {
+        if (on)
+            press(session, id);
+    };
+    leave(s["shading"] == "error", "layers.error");
+    leave(s["shading"] != "error" && s["range_chosen"] == true, "layers.lock_range");
+    leave(s["panels_hidden"] == true, "view.panels");
+    leave(s["background"] == "light", "view.theme");
+    leave(s["layers"]["links"] == true, "layers.links");
+    if (const std::string inspector = s["inspector"]; inspector != "none")
+        press(session, "view." + inspector);
 }
 
 class Way : public testing::TestWithParam<bool> {};
@@ -172,10 +197,7 @@ TEST_P(Way, EveryActionDoesWhatItSays) {
         });
         if (switches.contains(id))
             press(session, id);
-        if (session.state()["shading"] == "error" && id != "layers.error")
-            press(session, "layers.error");
-        if (id == "check.all") // has opened the shelf
-            press(session, "view.hard_cases");
+        tidy(session);
         if (id.starts_with("view.") && id != "view.single")
             press(session, "view.single");
         if (id.starts_with("strategy."))
