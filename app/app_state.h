@@ -3,6 +3,7 @@
 #pragma once
 
 #include "files/saved_state.h"
+#include "iteration/element_report.h"
 #include "iteration/split_filters.h"
 #include "measure/keyhole.h"
 #include "plot/cost_measure.h"
@@ -116,7 +117,19 @@ struct ProfileMode {
 };
 
 /// What stands at the right of the panes.
-enum class Inspector { none, filters, hard_cases, cost, effects, objects, bookmarks };
+enum class Inspector { none, filters, hard_cases, cost, effects, objects, bookmarks, element };
+
+/// Looking at one element and at who lights it; see element_verbs.h.
+struct ElementMode {
+    std::optional<SurfacePoint> at; ///< the element that holds it is looked at; none: nothing yet
+    std::optional<int> source;      ///< surface whose links are drawn and X-rayed
+    XrayLine line = XrayLine::centre;
+    std::shared_ptr<const ElementReport> shown; ///< of the question that was answered last; null: none was
+    std::uint64_t version = 0;      ///< of the snapshot that the answer is about
+    Strategy strategy{};            ///< that it is of
+    ElementQuestion answered;
+    std::optional<double> cursor;   ///< place on the X-ray's line that is pointed at
+};
 
 /// Looking at the filters of one split; see microscope_verbs.h.
 struct Microscope {
@@ -222,6 +235,7 @@ struct AppState {
     Inspector inspector = Inspector::none;
     ObjectsMode objects;
     Microscope microscope;
+    ElementMode element;
     CostMeasure cost_measure = CostMeasure::seconds; ///< of the plot of costs and its bars
     Shelf shelf;
     std::optional<Vec3> keyhole_to_open; ///< came with a state; looked from as soon as something is known

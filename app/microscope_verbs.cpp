@@ -1,5 +1,6 @@
 #include "microscope_verbs.h"
 
+#include "element_verbs.h"
 #include "geometry/polygon.h"
 #include "render/pick.h"
 #include "render/surface_role.h"
@@ -46,6 +47,11 @@ void pick_largest(AppState &state, const Snapshot &snapshot) {
 
 void toggle_inspector(AppState &state, Inspector inspector) {
     state.inspector = state.inspector == inspector ? Inspector::none : inspector;
+    if (state.inspector == Inspector::element) {
+        state.message = {"Click a patch: who lights it is shown, and a click on a row X-rays those links.", false};
+        if (state.under_cursor && state.under_cursor->patch >= 0)
+            pick_element(state, {state.under_cursor->surface, state.under_cursor->point});
+    }
     if (state.inspector != Inspector::filters)
         return;
     state.message = {"Click a patch: the filters of the split that made it are shown.", false};

@@ -2,11 +2,16 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "iteration/own_bytes.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace penumbra {
+
+namespace {
+constexpr std::int64_t most_kept = std::int64_t(512) << 20; // bytes of states that are looked back at
+}
 
 SolveWorker::SolveWorker(ReadFile read_file, std::function<void()> wake)
     : read_file_(std::move(read_file)), wake_(std::move(wake)),
@@ -73,8 +78,10 @@ void SolveWorker::work(const std::stop_token &stop) {
             lock.unlock();
             if (task->kind == Kind::advance)
                 advance(*task);
-            else
+            else if (task->kind == Kind::reconstruct)
                 reconstruct(*task);
+            else
+                inspect(*task);
             lock.lock();
             running_.reset();
             cancel_.lower();
@@ -90,6 +97,8 @@ void SolveWorker::work(const std::stop_token &stop) {
 std::optional<SolveWorker::Task> SolveWorker::next_task() const {
     if (!goal_ || !goal_->scene)
         return std::nullopt;
+    if (auto inspection = next_inspection())
+        return inspection;
     std::optional<Task> next;
     for (const Strategy strategy : goal_->strategies) {
         const Course &course = courses_[static_cast<std::size_t>(strategy)];
@@ -112,7 +121,22 @@ std::optional<SolveWorker::Task> SolveWorker::next_reconstruction() const {
     return std::nullopt;
 }
 
+std::optional<SolveWorker::Task> SolveWorker::next_inspection() const {
+    if (!goal_->inspected || run_ != goal_->run)
+        return std::nullopt;
+    const Strategy strategy = goal_->inspected->strategy;
+    const auto &moments = courses_[static_cast<std::size_t>(strategy)].moments;
+    const int position = std::min(goal_->position, static_cast<int>(moments.size()) - 1);
+    if (position < 0 || (answered_ && answered_->asked == *goal_->inspected &&
+                         answered_->version == moments[static_cast<std::size_t>(position)].version))
+        return std::nullopt;
+    return Task{*goal_, strategy, position, Kind::inspect};
+}
+
 bool SolveWorker::still_wanted(const Task &task) const {
+    if (task.kind == Kind::inspect)
+        return goal_ && goal_->run == task.goal.run && goal_->position == task.goal.position &&
+               goal_->inspected == task.goal.inspected;
     if (task.kind == Kind::reconstruct)
         return goal_ && goal_->run == task.goal.run && goal_->position == task.goal.position &&
                std::ranges::find(goal_->reconstructed, task.strategy) != goal_->reconstructed.end();
@@ -141,13 +165,55 @@ void SolveWorker::advance(const Task &task) {
         course.ended = course.solver->phase() == Phase::pushed_pulled &&
                        (course.solver->ended() || counters.iteration >= task.goal.options.max_iterations);
         const auto snapshot = course.solver->snapshot(true);
-        if (is_constant(task.strategy))
-            course.moments.push_back({course.solver->state(), snapshot->version});
+        keep(course, snapshot->version);
         report(Reached{task.goal.run, task.strategy, task.position, snapshot, course.ended});
     } catch (const Cancelled &) {
         // The solver stands where it stood before the phase.
     } catch (const std::exception &e) {
         course.ended = true;
+        report(Failed{task.goal.run, task.strategy, e.what()});
+    }
+}
+
+/// Remembers the solver's state; where all take too much room, the oldest of multiwavelets go (of constants quadratics
+/// are made).
+void SolveWorker::keep(Course &course, std::uint64_t version) {
+    const auto state = course.solver->state();
+    const State *before = course.moments.empty() ? nullptr : course.moments.back().state.get();
+    course.moments.push_back({state, version, own_bytes(*state, before)});
+    std::int64_t bytes = 0;
+    for (const Course &c : courses_)
+        for (const Moment &m : c.moments)
+            bytes += m.bytes;
+    for (std::size_t position = 0; bytes > most_kept; ++position) {
+        bool any_left = false;
+        for (Course &c : courses_) {
+            if (position + 1 >= c.moments.size())
+                continue; // the newest stays
+            any_left = true;
+            Moment &old = c.moments[position];
+            if (is_constant(c.solver->options().strategy) || !old.state)
+                continue;
+            old.state.reset();
+            bytes -= std::exchange(old.bytes, 0);
+        }
+        if (!any_left)
+            break;
+    }
+}
+
+void SolveWorker::inspect(const Task &task) {
+    const Course &course = courses_[static_cast<std::size_t>(task.strategy)];
+    const Moment &moment = course.moments[static_cast<std::size_t>(task.position)];
+    const Inspection &asked = *task.goal.inspected;
+    try {
+        auto answer = moment.state ? course.solver->inspect(*moment.state, asked.question, &cancel_) : nullptr;
+        answered_ = Answered{asked, moment.version};
+        report(Inspected{task.goal.run, moment.version, asked, std::move(answer)});
+    } catch (const Cancelled &) {
+        // Asked again, if it still is wanted.
+    } catch (const std::exception &e) {
+        answered_ = Answered{asked, moment.version};
         report(Failed{task.goal.run, task.strategy, e.what()});
     }
 }

@@ -4,6 +4,7 @@
 
 #include "core/cancel.h"
 #include "files/open_file.h"
+#include "iteration/element_report.h"
 #include "iteration/solver.h"
 
 #include <array>
@@ -20,6 +21,14 @@
 
 namespace penumbra {
 
+/// About an element of one strategy's solution, at the position where that stands.
+struct Inspection {
+    Strategy strategy{};
+    ElementQuestion question;
+
+    bool operator==(const Inspection &) const = default;
+};
+
 /// Where the solutions of one run should stand. A run is one scene with one set of options, for all strategies.
 struct Goal {
     std::uint64_t run = 0;            ///< another number: start anew
@@ -28,10 +37,11 @@ struct Goal {
     std::vector<Strategy> strategies; ///< those that are shown
     int position = 0;                 ///< phases from the start, see timeline.h
     std::vector<Strategy> reconstructed{}; ///< those whose constants are drawn as quadratics there
+    std::optional<Inspection> inspected{}; ///< answered between two phases, at each position
 
     bool operator==(const Goal &o) const {
         return run == o.run && scene == o.scene && strategies == o.strategies && position == o.position &&
-               reconstructed == o.reconstructed;
+               reconstructed == o.reconstructed && inspected == o.inspected;
     }
 };
 
@@ -58,6 +68,12 @@ struct Reconstructed { ///< constants were made into quadratics
     std::uint64_t version = 0; ///< of the snapshot of the constants
     std::shared_ptr<const Snapshot> snapshot;
 };
+struct Inspected { ///< an element was looked at
+    std::uint64_t run = 0;
+    std::uint64_t version = 0; ///< of the snapshot of the same state
+    Inspection asked;
+    std::shared_ptr<const ElementReport> report; ///< null: that state is kept no longer
+};
 struct Failed { ///< a strategy can't go on; one line
     std::uint64_t run = 0;
     Strategy strategy{};
@@ -65,7 +81,7 @@ struct Failed { ///< a strategy can't go on; one line
 };
 struct Stopped {}; ///< cancelled; what was complete stays
 struct Rested {};  ///< nothing left to do
-using Report = std::variant<Opened, Refused, Begun, Reached, Reconstructed, Failed, Stopped, Rested>;
+using Report = std::variant<Opened, Refused, Begun, Reached, Reconstructed, Inspected, Failed, Stopped, Rested>;
 
 class SolveWorker {
 public:
@@ -88,19 +104,24 @@ public:
     std::vector<Report> take_reports();
 
 private:
-    struct Moment { ///< what quadratics are made of
-        std::shared_ptr<const State> state;
-        std::uint64_t version = 0; ///< of its snapshot
+    struct Moment { ///< what quadratics are made of, and reports on elements
+        std::shared_ptr<const State> state; ///< null: let go, for want of room
+        std::uint64_t version = 0;          ///< of its snapshot
+        std::int64_t bytes = 0;             ///< that are its own, not shared with the state before
         bool reconstructed = false;
     };
     struct Course { ///< one strategy's solver, made when first needed
         std::unique_ptr<Solver> solver;
         int position = -1; ///< of the solver; -1: not made yet
         bool ended = false;
-        std::vector<Moment> moments; ///< by position, where the basis is constant
+        std::vector<Moment> moments; ///< by position
     };
-    enum class Kind { advance, reconstruct };
-    struct Task { ///< one phase of one strategy, or the quadratics at one position
+    struct Answered {
+        Inspection asked;
+        std::uint64_t version = 0;
+    };
+    enum class Kind { advance, reconstruct, inspect };
+    struct Task { ///< one phase of one strategy, or the quadratics or an element at one position
         Goal goal;
         Strategy strategy{};
         int position = 0; ///< that it leads to; 0: make the solver
@@ -111,8 +132,11 @@ private:
     std::optional<Task> next_task() const;
     bool still_wanted(const Task &task) const;
     std::optional<Task> next_reconstruction() const;
+    std::optional<Task> next_inspection() const;
     void advance(const Task &task);
+    void keep(Course &course, std::uint64_t version);
     void reconstruct(const Task &task);
+    void inspect(const Task &task);
     void read(const std::string &name);
     void report(Report report);
 
@@ -131,6 +155,7 @@ private:
 
     std::array<Course, 4> courses_; ///< by strategy; of the worker's thread alone
     std::uint64_t run_ = 0;         ///< that the courses belong to
+    std::optional<Answered> answered_; ///< the last one
     Cancel cancel_;
     std::jthread thread_; ///< last: it uses all the above
 };

@@ -1,6 +1,7 @@
 #include "verbs.h"
 
 #include "core/sentence.h"
+#include "element_verbs.h"
 #include "history.h"
 #include "keyhole_verbs.h"
 #include "move_verbs.h"
@@ -121,6 +122,16 @@ void apply(AppState &state, const Reconstructed &made) {
         state.reconstructions[made.version] = made.snapshot;
 }
 
+void apply(AppState &state, const Inspected &made) {
+    if (made.run != state.run)
+        return;
+    ElementMode &mode = state.element;
+    mode.shown = made.report;
+    mode.version = made.version;
+    mode.strategy = made.asked.strategy;
+    mode.answered = made.asked.question;
+}
+
 void apply(AppState &state, const Failed &failed) {
     if (failed.run != state.run)
         return;
@@ -151,6 +162,7 @@ std::optional<Goal> goal(const AppState &state) {
     for (int pane = 0; pane < n_panes(state.layout); ++pane)
         if (state.reconstructs(pane))
             goal.reconstructed.push_back(state.panes().strategies[static_cast<std::size_t>(pane)]);
+    goal.inspected = inspection(state);
     return goal;
 }
 
@@ -195,6 +207,7 @@ void set_scene(AppState &state, std::shared_ptr<const Scene> scene) {
     state.pinned_curve.reset();
     state.keyhole = {};
     state.microscope = {};
+    state.element = {};
     state.keyhole_to_open.reset();
     const int lines = state.profile.asked; // their numbers are not used twice
     state.profile = {};

@@ -1,5 +1,6 @@
 #include "files/state_text.h"
 
+#include "element_verbs.h"
 #include "files/write_state.h"
 #include "move_verbs.h"
 #include "iteration/error_map.h"
@@ -40,7 +41,7 @@ Json price(const AppState &s) {
 }
 
 std::string_view name(Inspector inspector) {
-    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost", "effects", "objects", "bookmarks"};
+    constexpr std::string_view names[] = {"none", "filters", "hard_cases", "cost", "effects", "objects", "bookmarks", "element"};
     return names[static_cast<std::size_t>(inspector)];
 }
 
@@ -119,6 +120,36 @@ Json found(const AppState &s) {
     return entries.empty() ? Json() : Json(entries.front().title);
 }
 
+Json element(const AppState &s) {
+    const ElementMode &mode = s.element;
+    Json j{{"picked", mode.at.has_value()}, {"source", mode.source ? Json(*mode.source) : Json()}, {"awaited", awaits_report(s)}};
+    const ElementReport *report = shown_report(s);
+    if (!report)
+        return j;
+    j["heading"] = heading(*report);
+    j["element"] = report->element;
+    j["surface"] = report->surface;
+    j["order"] = report->order;
+    j["history"] = history_words(*report);
+    j["links"] = Json::array();
+    for (const LinkReport &l : report->links)
+        j["links"].push_back({{"source", l.source},
+                              {"receiver", l.receiver},
+                              {"kind", l.kind},
+                              {"links", l.n_links},
+                              {"brings", {l.mean[0], l.mean[1], l.mean[2]}},
+                              {"share", l.share},
+                              {"verdict", l.words}});
+    if (const auto &x = report->xray)
+        j["xray"] = {{"line", x->line == XrayLine::worst ? "worst" : "centre"},
+                     {"length", x->length()},
+                     {"points", x->points.size()},
+                     {"tests", x->tests.size()},
+                     {"passes", x->passes},
+                     {"cursor", mode.cursor ? Json(*mode.cursor) : Json()}};
+    return j;
+}
+
 Json shelf(const Shelf &shelf) {
     constexpr std::string_view names[] = {"not run", "running", "ok", "failed"};
     Json j{{"checking", shelf.checking}, {"cases", Json::object()}};
@@ -174,7 +205,7 @@ std::string observed_state_text(const AppState &s) {
         awaits |= s.awaits_reconstruction(i);
     }
     j["run"] = s.run;
-    j["busy"] = s.busy.has_value() || s.truth.busy || awaits;
+    j["busy"] = s.busy.has_value() || s.truth.busy || awaits || awaits_report(s);
     j["judging"] = {
         {"busy", s.truth.busy}, {"doing", s.truth.doing}, {"halted", s.truth.halted}, {"truth_error", s.truth.error}};
     j["profiling"] = profile(s.profile);
@@ -206,6 +237,7 @@ std::string observed_state_text(const AppState &s) {
     j["price"] = price(s);
     j["earlier_runs"] = s.prices.runs.size();
     j["microscope"] = microscope(s.microscope);
+    j["inspected"] = element(s);
     j["shelf"] = shelf(s.shelf);
     j["picture"] = s.last_picture;
     j["saved"] = s.last_state;

@@ -26,8 +26,12 @@ std::string child(int piece) { return "child " + std::to_string(piece + 1); }
 double largest(const Eigen::MatrixXd &m) { return m.cwiseAbs().maxCoeff(); }
 
 std::string function_words(const SplitFilters &f, int k, bool child) {
-    const auto [i, j] = function_degrees(f.basis, f.order, k);
-    if (f.basis == BasisFamily::parametric) {
+    return function_words(f.basis, f.order, k, child);
+}
+
+std::string function_words(BasisFamily basis, int order, int k, bool child) {
+    const auto [i, j] = function_degrees(basis, order, k);
+    if (basis == BasisFamily::parametric) {
         const char *prime = child ? "\u2032" : "";
         return "L" + small_number(i, true) + "(u" + prime + ") L" + small_number(j, true) + "(v" + prime + ")";
     }

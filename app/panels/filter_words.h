@@ -12,6 +12,7 @@ double largest(const Eigen::MatrixXd &m); ///< of the absolute values
 
 /// "L₂(u) L₁(v)", with primes for a child; of the planar basis "x²y + …", its highest power.
 std::string function_words(const SplitFilters &f, int k, bool child);
+std::string function_words(BasisFamily basis, int order, int k, bool child = false);
 
 /// How a map is labelled and explained.
 struct MapWords {

@@ -1,4 +1,4 @@
-// At the right of the panes: the filter microscope, the shelf of hard cases, what accuracy costs, or the ledger of effects.
+// At the right of the panes: a picked element, the filter microscope, the shelf of hard cases, what accuracy costs, or the ledger of effects.
 #include "panels/controls.h"
 #include "panels/panels.h"
 
@@ -8,15 +8,19 @@ void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts)
     if (state.inspector == Inspector::none)
         return;
     begin_panel("inspector", rect);
-    const float quarter = (ImGui::GetContentRegionAvail().x - 3) / 4;
-    action_button(state, "view.filters", "Filters", {quarter, 0});
+    const float width = ImGui::GetContentRegionAvail().x - 4;
+    action_button(state, "view.inspector", "Element", {0.2f * width, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "view.hard_cases", nullptr, {quarter, 0});
+    action_button(state, "view.filters", "Filters", {0.18f * width, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "view.cost", "Cost", {quarter, 0});
+    action_button(state, "view.hard_cases", nullptr, {0.27f * width, 0});
     ImGui::SameLine(0, 1);
-    action_button(state, "view.effects", nullptr, {quarter, 0});
-    if (state.inspector == Inspector::filters)
+    action_button(state, "view.cost", "Cost", {0.15f * width, 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "view.effects", nullptr, {0.2f * width, 0});
+    if (state.inspector == Inspector::element)
+        draw_element(state, fonts);
+    else if (state.inspector == Inspector::filters)
         draw_microscope(state);
     else if (state.inspector == Inspector::hard_cases)
         draw_hard_cases(state);

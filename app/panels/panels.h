@@ -15,6 +15,9 @@ void draw_curve_filter(AppState &state);                          ///< in the si
 void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts); ///< where it is open
 void draw_cost(AppState &state, const Fonts &fonts);              ///< in the inspector
 void draw_microscope(AppState &state);                            ///< in the inspector
+void draw_element(AppState &state, const Fonts &fonts);           ///< in the inspector
+void draw_element_links(AppState &state, const ElementReport &report); ///< who lights it, a row each
+void draw_xray(AppState &state, const Fonts &fonts);              ///< below the element's links
 void draw_hard_cases(AppState &state);                            ///< in the inspector
 void draw_bookmarks(AppState &state);                             ///< in the inspector
 void draw_objects(AppState &state);                               ///< in the inspector
@@ -26,6 +29,8 @@ void draw_status_bar(AppState &state, const WindowRect &rect);
 void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fonts);
 /// Over the panes; part of draw_panes.
 void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
+/// The element that was picked, the links from the surface that was, and the line of their X-ray.
+void draw_picked_element(const AppState &state, ImDrawList &list, const WindowRect &pane, const Fonts &fonts);
 void draw_profile_line(const AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 void draw_hint(AppState &state, const WindowRect &panes);        ///< until the first step
 void draw_caption(const AppState &state, const WindowRect &panes); ///< of a lecture

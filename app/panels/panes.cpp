@@ -1,3 +1,4 @@
+#include "element_verbs.h"
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
 #include "panels/controls.h"
@@ -198,6 +199,8 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     point_at_profile(state);
     if (state.inspector == Inspector::filters && state.under_cursor && clicked() && !held)
         pick_split(state, {state.under_cursor->surface, state.under_cursor->point});
+    if (state.inspector == Inspector::element && state.under_cursor && state.under_cursor->patch >= 0 && clicked() && !held)
+        pick_element(state, {state.under_cursor->surface, state.under_cursor->point});
     if (snapshot && snapshot->curves && !held && !state.keyhole.dragging && state.profile.dragging == ProfileGrip::none)
         point_at_curves(state, *snapshot, rect, at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -236,10 +239,11 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
     return height;
 }
 
-/// What the pinned curve is, above the footnote; the keyhole needs the place for its news.
+/// What the pinned curve is, above the footnote; the keyhole needs the place for its news, and the inspector tells it.
 void draw_pinned(const AppState &state, ImDrawList &list, const Fonts &fonts, const WindowRect &rect) {
     const auto snapshot = state.snapshot(state.active_strategy());
-    if (state.keyhole.open || !state.pinned_curve || !snapshot || !snapshot->curves ||
+    const bool told_elsewhere = state.keyhole.open || (state.inspector == Inspector::element && !state.panels_hidden);
+    if (told_elsewhere || !state.pinned_curve || !snapshot || !snapshot->curves ||
         *state.pinned_curve >= static_cast<int>(snapshot->curves->size()))
         return;
     const SnapshotCurve &curve = (*snapshot->curves)[static_cast<std::size_t>(*state.pinned_curve)];
@@ -297,8 +301,10 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
     draw_legends(state, list, fonts, arrangement, below);
     const std::vector<Strategy> shown = state.shown();
     for (std::size_t pane = 0; pane < arrangement.pane.size(); ++pane)
-        if (shown[pane] == state.active_strategy())
+        if (shown[pane] == state.active_strategy()) {
             draw_split_outline(state, list, arrangement.pane[pane]);
+            draw_picked_element(state, list, arrangement.pane[pane], fonts);
+        }
     for (const WindowRect &pane : arrangement.pane)
         draw_object_outline(state, list, pane);
     draw_profile_line(state, list, arrangement, fonts);

@@ -34,7 +34,12 @@ void write_number(ImDrawList &list, const ImVec2 &at, std::size_t piece, ImU32 c
     list.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, colour, text.c_str());
 }
 
-/// Quarter turns after which a drawing in the surface's frame stands most nearly as the camera sees it.
+bool holds(const std::vector<Vec2> &corners, const Vec2 &p) {
+    return std::ranges::all_of(half_planes(corners), [&](const HalfPlane &h) { return h.value(p) >= 0; });
+}
+
+} // namespace
+
 Eigen::Matrix2d turn_to_view(const Camera &camera, const SnapshotSurface &s) {
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye),
                      right = glm::normalize(glm::cross(ahead, camera.up)), up = glm::cross(right, ahead);
@@ -53,12 +58,6 @@ Eigen::Matrix2d turn_to_view(const Camera &camera, const SnapshotSurface &s) {
         }
     return best;
 }
-
-bool holds(const std::vector<Vec2> &corners, const Vec2 &p) {
-    return std::ranges::all_of(half_planes(corners), [&](const HalfPlane &h) { return h.value(p) >= 0; });
-}
-
-} // namespace
 
 int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, float side) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();

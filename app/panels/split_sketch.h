@@ -7,6 +7,9 @@
 
 namespace penumbra {
 
+/// Quarter turns after which a drawing in the surface's frame stands most nearly as the camera sees it.
+Eigen::Matrix2d turn_to_view(const Camera &camera, const SnapshotSurface &surface);
+
 /// At the cursor, fitted into the square. Returns the piece that was clicked, or -1.
 int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, float side);
 /// Over a pane: the outlines, the chosen piece standing out.

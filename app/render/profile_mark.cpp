@@ -5,7 +5,7 @@
 namespace penumbra {
 
 void draw_profile_mark(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const Camera &camera,
-                       const ProfileLine &line, std::optional<double> at) {
+                       const ProfileLine &line, std::optional<double> at, const char *letters) {
     const float width = high.x - low.x, height = high.y - low.y, em = fonts.size;
     const auto on_screen = [&](const Vec3 &p) -> std::optional<ImVec2> {
         const auto place = place_in_frame(camera, static_cast<double>(width / height), {p.x(), p.y(), p.z()});
@@ -24,7 +24,8 @@ void draw_profile_mark(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 
     // Letters stand beyond the ends, in the line's direction.
     const float length = std::max(1.f, std::hypot(b->x - a->x, b->y - a->y));
     const ImVec2 way((b->x - a->x) / length, (b->y - a->y) / length);
-    const auto end = [&](const ImVec2 &p, float sign, const char *letter) {
+    const auto end = [&](const ImVec2 &p, float sign, char name) {
+        const char letter[] = {name, 0};
         list.AddCircleFilled(p, 0.3f * em, dark);
         list.AddCircleFilled(p, 0.2f * em, bright);
         const ImVec2 centre(p.x + sign * 1.05f * em * way.x, p.y + sign * 1.05f * em * way.y);
@@ -32,8 +33,8 @@ void draw_profile_mark(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 
         list.AddCircleFilled(centre, 0.68f * em, dark);
         list.AddText(fonts.bold, em, {centre.x - size.x / 2, centre.y - size.y / 2}, bright, letter);
     };
-    end(*a, -1, "A");
-    end(*b, 1, "B");
+    end(*a, -1, letters[0]);
+    end(*b, 1, letters[1]);
     if (at)
         if (const auto here = on_screen(line.at(*at))) {
             list.AddCircle(*here, 0.42f * em, dark, 0, 0.28f * em);

@@ -2,29 +2,20 @@
 
 #include "core/parallel.h"
 #include "core/percent.h"
-#include "iteration/allowance.h"
-#include "iteration/below_black.h"
 #include "iteration/candidates.h"
 #include "iteration/known_curves.h"
+#include "iteration/oracle.h"
 #include "transport/point_transfer.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace penumbra {
 
 namespace {
 
-/// Shares of the oracle's threshold: a source brings too little to be tested below the first; sources are split until
-/// what their pulls dropped brings less than the second.
-constexpr double weak_share = 0.1, source_share = 0.5;
-/// Of what passes at a node: what lower orders may miss when a link is made, and before it is made anew. Figures behind these:
-/// tests/bench/README.md.
-constexpr double order_share = 0.05, order_limit = 0.15;
-/// Of what passes: how far below black a leaf that is kept may be, once it was damped, and the least of its detail that is worth
-/// keeping then.
-constexpr double damping_share = 0.9, least_damping = 0.1;
+/// The least of the detail of a leaf below black that is worth keeping.
+constexpr double least_damping = 0.1;
 
 /// A pair that wants links.
 struct Request {
@@ -36,33 +27,18 @@ struct Request {
     Fit fit{};
 };
 
-enum class Verdict { keep, relink, fail };
-
-struct Judgement {
-    Verdict verdict = Verdict::keep;
-    std::vector<ElementId> sources; ///< of the new links, unless kept
-    double misfit = 0; ///< as a fraction of the threshold
-    bool afresh = false; ///< its orders have become too low: nothing of the links is taken over
-    double dark = 0;     ///< it is one of those that bring a leaf this far below black [W/m2]; else 0
-    double damping = 1;  ///< of the detail that it brings, with which the leaf would not be, did the others bring none
-};
-
 class Refinement {
 public:
     Refinement(const Setting &setting, State &state, const Cancel *cancel)
         : setting_(setting), state_(state), scene_(*setting.scene),
           cancel_(cancel),
-          transport_(setting.transport(state.counters.threshold, cancel)), allowance_(setting, state), detail_(dropped_detail(state.forest, state.radiosity)) {
+          transport_(setting.transport(state.counters.threshold, cancel)), oracle_(setting, state) {
         for (int s = 0; s < scene_.n_surfaces(); ++s)
             nothing_emits_ = nothing_emits_ && !scene_.emits(SurfaceId(s));
-        brightness_.resize(scene_.surfaces.size());
-        for (std::size_t s = 0; s < brightness_.size(); ++s)
-            brightness_[s] = largest_radiosity(SurfaceId(s));
     }
 
     void run() {
-        judge_all();
-        judge_what_is_below_black();
+        judgements_ = oracle_.judge_all();
         split_failing();
         request_new_pairs();
         link();
@@ -70,126 +46,6 @@ public:
     }
 
 private:
-    Rgb largest_radiosity(SurfaceId s) const {
-        Rgb most = Rgb::Zero();
-        for (const ElementId root : state_.forest.roots[s.at()])
-            for_each_leaf(state_.forest, root, [&](ElementId leaf) {
-                const Element &e = state_.forest[leaf];
-                const auto b = state_.radiosity.middleRows(e.first, e.basis.n_functions());
-                most = most.max(b.row(0).transpose().array().abs());
-                for (const Vec2 &corner : e.basis.outline())
-                    most = most.max((e.basis.evaluate(corner).transpose() * b).transpose().array().abs());
-            });
-        return most;
-    }
-
-    /// The form factor, or part of one, that brings too little to matter.
-    double slack(ElementId receiver, SurfaceId source) const {
-        const Rgb most = scene_.reflectance(state_.forest[receiver].surface) * brightness_[source.at()];
-        return most.maxCoeff() > 0 ? weak_share * allowance_.anywhere() / most.maxCoeff()
-                                   : std::numeric_limits<double>::infinity();
-    }
-
-    Leeway leeway(ElementId receiver, SurfaceId source) const {
-        const Element &p = state_.forest[receiver];
-        if (is(Effect::order, Switch::on))
-            return {};
-        return {slack(receiver, source), order_share * allowance_.misfit(p), allowance_.mean_square(),
-                scene_.reflectance(p.surface), &state_.radiosity};
-    }
-
-    Judgement judge(const Interaction &interaction) const {
-        Judgement out;
-        const bool weak = interaction.variation <= leeway(interaction.receiver, interaction.source).weak;
-        if (interaction.links.empty() || (interaction.weak && weak))
-            return out;
-        const Element &p = state_.forest[interaction.receiver];
-        const double rho = scene_.reflectance(p.surface).maxCoeff();
-        double dropped = 0;
-        for (const Link &link : interaction.links)
-            dropped += rho * link.kernel(0, 0) * detail_[link.source.at()];
-        bool split_source = false;
-        const double share = source_share * allowance_.anywhere() / static_cast<double>(interaction.links.size());
-        for (const Link &link : interaction.links) {
-            const Element &q = state_.forest[link.source];
-            const bool split = dropped > source_share * allowance_.anywhere() && !q.leaf() &&
-                               rho * link.kernel(0, 0) * detail_[link.source.at()] > 0.5 * share;
-            if (!split)
-                out.sources.push_back(link.source);
-            for (int c = 0; split && c < q.n_children; ++c)
-                out.sources.push_back(ElementId(q.first_child.index + c));
-            split_source |= split;
-        }
-        const double misfit = allowance_.measured(interaction, state_, scene_.reflectance(p.surface));
-        // A threshold of 0 lets nothing pass once there is light.
-        out.misfit = misfit > 0 ? misfit / allowance_.misfit(p) : 0;
-        const double left_out = (scene_.reflectance(p.surface) * interaction.left_out(state_.forest, state_.radiosity)).maxCoeff();
-        out.afresh = interaction.fit.damping == 1 && ((interaction.order < p.basis.order() && out.misfit > order_limit) ||
-                                                      left_out > order_limit * allowance_.misfit(p));
-        if (out.afresh)
-            out.verdict = Verdict::relink;
-        else if (out.misfit > 1)
-            out.verdict = Verdict::fail;
-        else if (split_source || (interaction.weak && !weak))
-            out.verdict = Verdict::relink;
-        return out;
-    }
-
-    void judge_all() {
-        judgements_.resize(state_.interactions.size());
-        parallel_for(judgements_.size(), [&](std::size_t e) {
-            for (const auto &interaction : state_.interactions[e])
-                judgements_[e].push_back(judge(*interaction));
-        });
-    }
-
-    /// Light is not negative: a leaf that is by more than passes shows that fits, each of which may have passed, miss too
-    /// much together. Those fail that bring the most below black where it is darkest, until what the others bring passes.
-    void judge_what_is_below_black() {
-        if (allowance_.mean_square())
-            return;
-        const double aim = damping_share * allowance_.anywhere();
-        std::vector<Darkness> dark(judgements_.size());
-        parallel_for(dark.size(), [&](std::size_t e) {
-            const Element &element = state_.forest.elements[e];
-            if (element.leaf() && scene_.reflects(element.surface))
-                dark[e] = below_black(scene_, element, state_.radiosity, aim);
-        });
-        for (std::size_t leaf = 0; leaf < dark.size(); ++leaf)
-            if (dark[leaf].depth > allowance_.anywhere())
-                fail_darkest(ElementId(leaf), dark[leaf], aim);
-    }
-
-    void fail_darkest(ElementId leaf, const Darkness &dark, double aim) {
-        struct Part {
-            double value = 0; ///< that it brings, of the channel where that is least; below 0
-            Judgement *judgement = nullptr;
-        };
-        std::vector<Part> parts;
-        double sum = 0;
-        const Rgb &rho = scene_.reflectance(state_.forest[leaf].surface);
-        for (ElementId node = leaf; node.valid(); node = state_.forest[node].parent)
-            for (std::size_t i = 0; i < judgements_[node.at()].size(); ++i) {
-                const Interaction &interaction = *state_.interactions[node.at()][i];
-                const double value = (rho * interaction.brings(state_.forest, state_.radiosity, dark.at)).minCoeff();
-                if (value >= 0 || interaction.fit.damping == 0)
-                    continue;
-                parts.push_back({value, &judgements_[node.at()][i]});
-                sum += value;
-            }
-        std::ranges::sort(parts, {}, &Part::value);
-        for (const Part &part : parts) {
-            if (sum >= -aim)
-                return;
-            sum -= part.value;
-            Judgement &j = *part.judgement;
-            j.dark = std::max(j.dark, dark.depth);
-            j.damping = std::min(j.damping, dark.damping);
-            j.verdict = Verdict::fail;
-            j.afresh = false;
-        }
-    }
-
     void split_failing() {
         const std::size_t n = judgements_.size();
         std::vector<std::vector<const Interaction *>> failing(n);
@@ -210,7 +66,7 @@ private:
         parallel_for(to_split.size(), [&](std::size_t i) {
             const ElementId node(to_split[i]);
             splits[i] = best_split(setting_, transport_, state_, node, failing[node.at()],
-                                   allowance_.misfit(state_.forest[node]), work[i]);
+                                   oracle_.allowance().misfit(state_.forest[node]), work[i]);
         });
         for (const Work &w : work)
             state_.counters.work += w;
@@ -268,7 +124,7 @@ private:
         const std::string what = surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " +
                                  std::to_string(e.basis.order());
         told_ = what + (worst > 1 ? " misses what " + surface_name(source) + " brings by " + percent(worst * threshold)
-                                  : " falls below black by " + percent(dark / allowance_.anywhere() * threshold)) +
+                                  : " falls below black by " + percent(dark / oracle_.allowance().anywhere() * threshold)) +
                 " of the peak > " + percent(threshold) + "; " + how;
         told_cut_ = split.cut.has_value();
     }
@@ -342,7 +198,7 @@ private:
     }
 
     bool may_shine(SurfaceId s) const {
-        return setting_.plan.emission && (brightness_[s.at()].maxCoeff() > 0 || nothing_emits_);
+        return setting_.plan.emission && (oracle_.brightness(s).maxCoeff() > 0 || nothing_emits_);
     }
 
     void request_pair(SurfaceId receiver, SurfaceId source) {
@@ -378,7 +234,7 @@ private:
         parallel_for(requests_.size(), [&](std::size_t i) {
             const Request &r = requests_[i];
             made[i] = connect(transport_, state_.forest, r.receiver, r.source, r.candidates, r.sources,
-                              leeway(r.receiver, r.source), work[i], r.before.get(), r.fit);
+                              oracle_.leeway(r.receiver, r.source), work[i], r.before.get(), r.fit);
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
             state_.counters.work += work[i];
@@ -421,9 +277,7 @@ private:
     const Scene &scene_;
     const Cancel *cancel_;
     Transport transport_;
-    Allowance allowance_;
-    std::vector<double> detail_;
-    std::vector<Rgb> brightness_;
+    Oracle oracle_;
     std::vector<std::vector<Judgement>> judgements_; ///< as state.interactions
     std::vector<Request> requests_;
     std::optional<std::string> told_;

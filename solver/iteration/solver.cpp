@@ -1,6 +1,7 @@
 #include "iteration/solver.h"
 
 #include "core/parallel.h"
+#include "iteration/element_report.h"
 #include "iteration/known_curves.h"
 #include "iteration/state.h"
 #include "iteration/quadratic.h"
@@ -179,6 +180,11 @@ std::shared_ptr<const Snapshot> Solver::reconstruction(const State &state, bool 
     if (with_error && parts_->setting.one_bounce())
         snapshot->error = direct_error(scene(), *parts_->setting.blockers, field.forest, field.radiosity);
     return snapshot;
+}
+
+std::shared_ptr<const ElementReport> Solver::inspect(const State &state, const ElementQuestion &question,
+                                                     const Cancel *cancel) const {
+    return std::make_shared<const ElementReport>(element_report(parts_->setting, state, question, cancel));
 }
 
 } // namespace penumbra

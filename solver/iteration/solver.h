@@ -12,6 +12,8 @@
 namespace penumbra {
 
 struct State; // iteration/state.h; immutable, shares what did not change with the state before
+struct ElementQuestion; // iteration/element_report.h
+struct ElementReport;   // the same
 
 /// Steps one scene with one set of options. A phase works on a copy and is taken over only when it is complete: when
 /// `cancel` is raised in the middle, Cancelled is thrown (within 100 ms) and the solver stands where it stood before.
@@ -48,6 +50,9 @@ public:
     /// but for the error, which is the quadratics' own.
     std::shared_ptr<const Snapshot> reconstruction(const State &state, bool with_error = false,
                                                    const Cancel *cancel = nullptr) const;
+    /// About one element of a state of this solver.
+    std::shared_ptr<const ElementReport> inspect(const State &state, const ElementQuestion &question,
+                                                 const Cancel *cancel = nullptr) const;
     /// As it is solved (effects/plan.h, without_colour).
     const Scene &scene() const;
     const Options &options() const;

@@ -96,8 +96,6 @@ void add_polynomial(const Element &leaf, const Coefficients &radiosity, Snapshot
         coefficients.push_back(row.transpose().array());
 }
 
-int link_kind(PairKind kind) { return kind == PairKind::clear ? 0 : kind == PairKind::near ? 1 : 2; }
-
 } // namespace
 
 std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state) {

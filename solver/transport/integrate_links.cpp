@@ -34,7 +34,7 @@ public:
           to_(transport.scene.surface(p_.surface)), from_(transport.scene.surface(out.source)), distance_(distance),
           size_(radius(p_.basis.outline())), near_(distance < 0.25 * size_), work_(work) {
         if (!out.weak)
-            find_tests();
+            tests_ = oracle_points(transport, p_, out, distance);
     }
 
     void add_node(SourceNode node) {
@@ -72,22 +72,6 @@ public:
     std::vector<Eigen::VectorXd> left_out;
 
 private:
-    void find_tests() {
-        tests_ = test_points(p_.basis);
-        const auto shadows = shadow_points(transport_.scene, transport_.blockers, p_, from_, out_.blockers);
-        tests_.insert(tests_.end(), shadows.begin(), shadows.end());
-        if (lights_a_spot(p_, from_, distance_)) {
-            // Drawn in, as shadow points are.
-            const Vec2 centre = p_.basis.centre();
-            for (const Vec2 &at : lit_points(p_, to_, from_))
-                if (const Vec2 inside = at + 0.02 * (centre - at); from_.frame.height(to_.frame.to_space(inside)) > 0)
-                    tests_.push_back(inside);
-        }
-        std::erase_if(tests_, [&](const Vec2 &at) { return is_covered(to_, at); });
-        const auto beside = contact_points(transport_.scene, transport_.blockers, p_, out_.blockers);
-        tests_.insert(tests_.end(), beside.begin(), beside.end());
-    }
-
     void look_at(std::span<const std::size_t> tests, Rows &rows) {
         PointTransfer transfer(transport_, p_, out_, nodes_, work_);
         for (const std::size_t c : tests)
@@ -206,6 +190,24 @@ private:
 };
 
 } // namespace
+
+std::vector<Vec2> oracle_points(const Transport &transport, const Element &p, const Interaction &pair, double distance) {
+    const Surface &to = transport.scene.surface(p.surface), &from = transport.scene.surface(pair.source);
+    std::vector<Vec2> points = test_points(p.basis);
+    const auto shadows = shadow_points(transport.scene, transport.blockers, p, from, pair.blockers);
+    points.insert(points.end(), shadows.begin(), shadows.end());
+    if (lights_a_spot(p, from, distance)) {
+        // Drawn in, as shadow points are.
+        const Vec2 centre = p.basis.centre();
+        for (const Vec2 &at : lit_points(p, to, from))
+            if (const Vec2 inside = at + 0.02 * (centre - at); from.frame.height(to.frame.to_space(inside)) > 0)
+                points.push_back(inside);
+    }
+    std::erase_if(points, [&](const Vec2 &at) { return is_covered(to, at); });
+    const auto beside = contact_points(transport.scene, transport.blockers, p, pair.blockers);
+    points.insert(points.end(), beside.begin(), beside.end());
+    return points;
+}
 
 void integrate_links(const Transport &transport, const Forest &forest, Interaction &out,
                      std::span<const ElementId> sources, const Leeway &leeway, double distance,

@@ -58,18 +58,6 @@ Rgb Interaction::mean_square_misfit(const Forest &forest, const Coefficients &ra
     return all.rows() == 0 ? Rgb(Rgb::Zero()) : Rgb(all.array().square().colwise().mean().transpose());
 }
 
-Rgb Interaction::brings(const Forest &forest, const Coefficients &radiosity, const Vec2 &at) const {
-    const Element &p = forest[receiver];
-    const BasisValues all = p.basis.evaluate(at);
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    for (const Link &link : links) {
-        const Eigen::Matrix<double, Eigen::Dynamic, 3> g = link.kernel * radiosity_of(forest, link, radiosity);
-        for (Eigen::Index k = 0; k < g.rows(); ++k)
-            sum += all[p.basis.place(order, static_cast<int>(k))] * g.row(k);
-    }
-    return sum.transpose().array();
-}
-
 Rgb Interaction::left_out(const Forest &forest, const Coefficients &radiosity) const {
     Rgb sum = Rgb::Zero();
     for (const Link &link : links)
@@ -177,12 +165,13 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
 
 Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, const Forest &forest,
                                                 const Interaction &interaction, std::span<const Vec2> points,
-                                                const Coefficients &radiosity, Work &work) {
+                                                const Coefficients &radiosity, Work &work, SourceColumns columns) {
     const Element &p = forest[interaction.receiver];
     std::vector<SourceNode> nodes;
     for (const Link &link : interaction.links) {
         nodes.push_back(source_node(transport.scene, forest[link.source]));
-        nodes.back().n_columns = static_cast<int>(link.kernel.cols());
+        if (columns == SourceColumns::linked)
+            nodes.back().n_columns = static_cast<int>(link.kernel.cols());
     }
     PointTransfer transfer(transport, p, interaction, std::move(nodes), work);
     Eigen::Matrix<double, Eigen::Dynamic, 3> out(static_cast<Eigen::Index>(points.size()), 3);

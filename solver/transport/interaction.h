@@ -80,12 +80,9 @@ struct Interaction {
     /// The mean of (T_S - fit)^2 over them, all counting the same: borders and shadows, where they are dense, weigh more
     /// than their area.
     Rgb mean_square_misfit(const Forest &forest, const Coefficients &radiosity) const;
-    /// What the links bring to a point of p [W/m2, before reflection].
-    Rgb brings(const Forest &forest, const Coefficients &radiosity, const Vec2 &at) const;
     /// About the most that columns which were left out would bring anywhere on p [W/m2, before reflection].
     Rgb left_out(const Forest &forest, const Coefficients &radiosity) const;
-
-private:
+    /// T_S - fit at each test point [W/m2, before reflection]; no rows where nothing is tested.
     Eigen::Matrix<double, Eigen::Dynamic, 3> misfits(const Forest &forest, const Coefficients &radiosity) const;
 };
 
@@ -124,9 +121,13 @@ std::shared_ptr<const Interaction> connect(const Transport &transport, const For
 /// Everything near the shaft between two surfaces, as proposed by the bounding-volume hierarchy.
 Candidates all_candidates(const Transport &transport, SurfaceId receiver, SurfaceId source);
 
+/// Which functions of the sources are looked at: those that links have columns for, or all.
+enum class SourceColumns { linked, all };
+
 /// T_S at points of p (in its surface's plane), with the present radiosity: rows points, columns channels.
 Eigen::Matrix<double, Eigen::Dynamic, 3> sample(const Transport &transport, const Forest &forest,
                                                 const Interaction &interaction, std::span<const Vec2> points,
-                                                const Coefficients &radiosity, Work &work);
+                                                const Coefficients &radiosity, Work &work,
+                                                SourceColumns columns = SourceColumns::linked);
 
 } // namespace penumbra

@@ -64,6 +64,7 @@ const std::map<std::string, Expected> &expectations() {
         {"view.darker", {"/exposure", -0.5, {"view.exposure_0"}}},
         {"view.exposure_0", {"/exposure", 0.0, {"view.exposure_0", "view.brighter"}}},
         {"view.keyhole", {"/looking/open", true, {}}},
+        {"view.inspector", {"/inspector", "element", {}}},
         {"view.filters", {"/inspector", "filters", {}}},
         {"view.hard_cases", {"/inspector", "hard_cases", {"view.filters"}}},
         {"view.cost", {"/inspector", "cost", {}}},
@@ -98,7 +99,7 @@ const std::map<std::string, Expected> &expectations() {
 
 /// Left again afterwards by the same key, so that it can't disturb what follows.
 const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme", "view.keyhole",
-                                     "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.objects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
+                                     "view.inspector", "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.objects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
                                      "layers.false_colour", "layers.legend", "help.keys"};
 
