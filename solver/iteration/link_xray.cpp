@@ -68,10 +68,12 @@ LinkXray xray(const Setting &setting, const State &state, const Oracle &oracle, 
     const auto missed = interaction.misfits(state.forest, state.radiosity);
     const Rgb rho = scene.reflectance(p.surface);
     Eigen::Index worst = -1, channel = 0;
-    if (missed.rows() > 0)
-        (missed.cwiseAbs() * rho.matrix().asDiagonal()).maxCoeff(&worst, &channel);
-    else
+    if (missed.rows() > 0) {
+        const Eigen::MatrixX3d reflected = missed.cwiseAbs() * rho.matrix().asDiagonal();
+        reflected.maxCoeff(&worst, &channel);
+    } else {
         rho.maxCoeff(&channel);
+    }
 
     const bool through_worst = line == XrayLine::worst && worst >= 0;
     const Vec2 centre = through_worst ? tests[static_cast<std::size_t>(worst)] : state.forest[picked].basis.centre();

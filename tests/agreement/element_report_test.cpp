@@ -3,7 +3,7 @@
 #include "iteration/element_report.h"
 #include "iteration/solver.h"
 #include "iteration/state.h"
-#include "scene/bundled.h"
+#include "reference/faces.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,21 @@
 namespace penumbra {
 namespace {
 
+/// A floor and a wall that light each other, a lamp and a black plate that takes it from a part of both.
+std::shared_ptr<const Scene> corner_scene() {
+    const Rgb grey(0.5, 0.45, 0.4), none = Rgb::Zero();
+    return reference::scene_of({{{{-2, -1.5, 0}, {2, -1.5, 0}, {2, 1.5, 0}, {-2, 1.5, 0}}, grey, none},
+                                {{{-2, 1.5, 0}, {2, 1.5, 0}, {2, 1.5, 2}, {-2, 1.5, 2}}, grey, none},
+                                {{{-0.5, -0.5, 1.8}, {-0.5, 0.5, 1.8}, {0.5, 0.5, 1.8}, {0.5, -0.5, 1.8}}, none, {3, 2, 1}},
+                                {{{-0.2, -0.4, 0.7}, {-0.2, 0.5, 0.7}, {0.9, 0.3, 0.7}, {0.9, -0.4, 0.7}}, none, none}});
+}
+
 class ElementReports : public testing::TestWithParam<std::tuple<BasisFamily, Strategy>> {
 protected:
-    ElementReports() : scene(std::make_shared<const Scene>(open_scene("skew-blockers", {}))) {
+    ElementReports() : scene(corner_scene()) {
         options.basis = std::get<0>(GetParam());
         options.strategy = std::get<1>(GetParam());
-        options.threshold = 0.05;
+        options.threshold = is_constant(options.strategy) ? 0.2 : 0.05;
         options.max_depth = 3;
         options.coarse_correction = Switch::off;
     }
@@ -75,7 +84,7 @@ TEST_P(ElementReports, WhatLinksBringIsWhatIsGathered) {
 TEST_P(ElementReports, VerdictsComeTrueInTheNextRefinement) {
     Solver solver(scene, options);
     int n_failed = 0, n_kept = 0, n_at_limit = 0;
-    for (int step = 0; step < 5; ++step) {
+    for (int step = 0; step < 9; ++step) {
         solver.step();
         const auto before = solver.state();
         std::vector<std::pair<ElementId, bool>> told;
@@ -97,8 +106,9 @@ TEST_P(ElementReports, VerdictsComeTrueInTheNextRefinement) {
     }
     EXPECT_GT(n_failed, 0);
     EXPECT_GT(n_kept, 0);
-    if (is_constant(options.strategy))
+    if (is_constant(options.strategy)) {
         EXPECT_GT(n_at_limit, 0);
+    }
 }
 
 TEST_P(ElementReports, HistoryLeadsFromTheRootToTheElement) {
