@@ -40,7 +40,7 @@ void preset_compare(AppState &state) {
 
 void preset_inspect(AppState &state) {
     begin(state, Layout::single, true, 1, state.look.theme, true);
-    state.inspector = Inspector::filters;
+    state.inspector = Inspector::element;
     state.message = {"Inspect: click a patch.", false};
 }
 
