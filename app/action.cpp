@@ -6,6 +6,7 @@
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
 #include "move_verbs.h"
+#include "picture_verbs.h"
 #include "presets.h"
 #include "profile_verbs.h"
 #include "render/error_scale.h"
@@ -23,6 +24,7 @@ namespace {
 using State = AppState;
 
 bool has_scene(const State &s) { return s.scene != nullptr; }
+bool has_solution(const State &s) { return has_scene(s) && s.snapshot(s.active_strategy()); }
 bool can_go_on(const State &s) { return has_scene(s) && !at_end(s); }
 bool can_go_back(const State &s) { return s.position > 0; }
 /// Between two phases the worker is not busy for a moment, but has its goal still before it.
@@ -126,8 +128,10 @@ void cancel(State &s) {
     } else if (s.script.playing) {
         s.script.playing = false;
         s.message = {"The script was stopped at its line " + std::to_string(s.script.line) + ".", false};
-    } else if (s.help_open || s.open_dialog) {
-        s.help_open = s.open_dialog = false;
+    } else if (s.help_open || s.open_dialog || s.pictures.settings_open) {
+        s.help_open = s.open_dialog = s.pictures.settings_open = false;
+    } else if (!s.pictures.pending.empty()) {
+        drop_pictures(s);
     } else if (s.pinned_curve) {
         s.pinned_curve.reset();
     } else if (s.keyhole.open) {
@@ -187,6 +191,18 @@ const std::vector<Action> &list() {
          {"F12"}, [](State &s) { s.picture_request = PictureRequest::panes; }, has_scene},
         {"file.window_picture", Menu::file, "Save picture of the window", "Saves the whole window as a numbered PNG.",
          {"Ctrl+F12"}, [](State &s) { s.picture_request = PictureRequest::window; }},
+        {"file.compare_picture", Menu::file, "Picture of uniform against discontinuity meshing",
+         "Both side by side in the active pane's basis, at this step; what is missing is solved first.", {"Shift+F12"},
+         compare_meshings, has_solution},
+        {"file.sequence", Menu::file, "Pictures of all steps",
+         "A numbered PNG of each step from the start to this one, in a new folder.", {"Ctrl+Shift+F12"},
+         picture_all_steps, has_solution},
+        {"file.picture_settings", Menu::file, "Picture settings…",
+         "Size up to 8K, supersampling, transparent background, labels: of all pictures but the window's.", {},
+         [](State &s) { s.pictures.settings_open = !s.pictures.settings_open; }},
+        {"file.copy_command", Menu::file, "Copy as command",
+         "Copies the 'penumbra render' line that makes the picture which Save picture would save.", {"Ctrl+Shift+C"},
+         [](State &s) { s.picture_request = PictureRequest::command; }, has_solution},
         {"file.quit", Menu::file, "Quit", "Closes the window.", {"Ctrl+Q"}, [](State &s) { s.quit_request = true; }},
 
         {"edit.undo", Menu::edit, "Undo", "Takes back the last change of a parameter or of the view.", {"Ctrl+Z"}, undo, can_undo},

@@ -7,6 +7,7 @@
 #include "iteration/split_filters.h"
 #include "measure/keyhole.h"
 #include "plot/cost_measure.h"
+#include "picture_mode.h"
 #include "price_book.h"
 #include "plot/profile_sheet.h"
 #include "render/camera.h"
@@ -61,7 +62,7 @@ struct Busy {
     Clock::time_point since;
 };
 
-enum class PictureRequest { panes, window };
+enum class PictureRequest { panes, window, command };
 
 /// A rectangle of the window [screen coordinates, y downward].
 struct WindowRect {
@@ -238,6 +239,7 @@ struct AppState {
     ElementMode element;
     CostMeasure cost_measure = CostMeasure::seconds; ///< of the plot of costs and its bars
     Shelf shelf;
+    PictureMode pictures; ///< see picture_verbs.h
     std::optional<Vec3> keyhole_to_open; ///< came with a state; looked from as soon as something is known
     std::optional<glm::dvec3> pivot; ///< set by a double click; none: what lies under the mouse when a drag begins
     std::optional<glm::dvec3> orbit_pivot; ///< of the drag that is going on

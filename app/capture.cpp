@@ -9,6 +9,7 @@
 #include <epoxy/gl.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -46,6 +47,31 @@ struct Reader {
     Reader &operator=(const Reader &) = delete;
 };
 
+/// A row as the file has it; `mixed` is room for it.
+const std::uint8_t *row_of(const Image &image, std::size_t y, std::vector<std::uint8_t> &mixed) {
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::uint8_t *rgb = image.rgb.data() + y * width * 3;
+    if (image.alpha.empty())
+        return rgb;
+    mixed.resize(4 * width);
+    for (std::size_t x = 0; x < width; ++x) {
+        std::copy_n(rgb + 3 * x, 3, mixed.data() + 4 * x);
+        mixed[4 * x + 3] = image.alpha[y * width + x];
+    }
+    return mixed.data();
+}
+
+/// Of pixels that were read as RGBA.
+void split_alpha(Image &image) {
+    const std::size_t n = image.rgb.size() / 4;
+    image.alpha.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        image.alpha[i] = image.rgb[4 * i + 3];
+        std::copy_n(image.rgb.data() + 4 * i, 3, image.rgb.data() + 3 * i);
+    }
+    image.rgb.resize(3 * n);
+}
+
 } // namespace
 
 Image read_pixels(int x, int y, int width, int height) {
@@ -75,7 +101,7 @@ void write_png(const std::filesystem::path &path, const Image &image, const std:
         },
         nullptr);
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 image.alpha.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     std::string key = png_state_key, text = state, nothing;
     png_text chunk{};
@@ -88,8 +114,9 @@ void write_png(const std::filesystem::path &path, const Image &image, const std:
     if (!state.empty())
         png_set_text(png, info, &chunk, 1);
     png_write_info(png, info);
-    for (int y = 0; y < image.height; ++y)
-        png_write_row(png, image.rgb.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) * 3);
+    std::vector<std::uint8_t> mixed;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+        png_write_row(png, row_of(image, y, mixed));
     png_write_end(png, info);
     write_atomically(path, bytes);
 }
@@ -99,18 +126,20 @@ Image read_png(const std::filesystem::path &path) {
     png_read_info(reader.png, reader.info);
     png_set_expand(reader.png);
     png_set_strip_16(reader.png);
-    png_set_strip_alpha(reader.png);
     png_set_gray_to_rgb(reader.png);
     const int passes = png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
     Image image;
     image.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
     image.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
-    const std::size_t row = static_cast<std::size_t>(image.width) * 3;
+    const bool with_alpha = png_get_channels(reader.png, reader.info) == 4;
+    const std::size_t row = static_cast<std::size_t>(image.width) * (with_alpha ? 4 : 3);
     image.rgb.resize(row * static_cast<std::size_t>(image.height));
     for (int pass = 0; pass < passes; ++pass)
         for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
             png_read_row(reader.png, image.rgb.data() + y * row, nullptr);
+    if (with_alpha)
+        split_alpha(image);
     return image;
 }
 

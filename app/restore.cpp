@@ -57,6 +57,13 @@ void restore(AppState &state, const SavedState &saved) {
     state.pivot.reset();
     state.look = saved.look;
     state.look.spotlight = {};
+    if (saved.picture) {
+        PictureSettings &settings = state.pictures.settings;
+        settings.supersample = saved.picture->supersample;
+        settings.labels = saved.picture->labels;
+        settings.transparent = saved.look.transparent;
+    }
+    state.look.transparent = false;
     state.chosen_range = saved.range_chosen ? saved.look.range : std::nullopt;
     state.legend_hidden = !saved.legend;
     if (saved.look.spotlight.curve >= 0)

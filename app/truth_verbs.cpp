@@ -1,6 +1,7 @@
 #include "truth_verbs.h"
 
 #include "iteration/error_map.h"
+#include "picture_verbs.h"
 #include "profile_verbs.h"
 #include "render/error_scale.h"
 
@@ -61,16 +62,16 @@ TruthGoal truth_goal(const AppState &state) {
         if (const auto snapshot = state.shown_snapshot(pane);
             snapshot && errors && !state.awaits_reconstruction(pane) && !errors_of(state, pane))
             goal.solutions.push_back(snapshot);
+    for (auto &snapshot : to_be_judged(state))
+        if (std::ranges::find(goal.solutions, snapshot) == goal.solutions.end())
+            goal.solutions.push_back(std::move(snapshot));
     goal.profile = profile_question(state);
     return goal;
 }
 
 std::shared_ptr<const ErrorMap> errors_of(const AppState &state, int pane) {
     const auto snapshot = state.shown_snapshot(pane);
-    if (!snapshot)
-        return nullptr;
-    const auto found = state.truth.maps.find(snapshot->version);
-    return found == state.truth.maps.end() || found->second->change != state.look.change ? nullptr : found->second;
+    return snapshot ? pictured_errors(state, *snapshot) : nullptr;
 }
 
 void update_error_range(AppState &state) {

@@ -5,6 +5,7 @@
 #include "history.h"
 #include "keyhole_verbs.h"
 #include "move_verbs.h"
+#include "picture_verbs.h"
 #include "restore.h"
 
 #include <algorithm>
@@ -65,8 +66,8 @@ void apply(AppState &state, const Opened &opened) {
     const Scene &scene = *opened.file.scene;
     const bool same = state.scene && state.scene->name == scene.name;
     set_scene(state, opened.file.original ? opened.file.original : opened.file.scene);
-    if (opened.file.state)
-        set_moves(state, opened.file.scene, opened.file.state->moves);
+    if (opened.file.original)
+        set_moves(state, opened.file.scene, opened.file.moves);
     state.look.curve_filter.source = -1;
     state.opening.clear();
     state.playing = false;
@@ -156,6 +157,8 @@ void apply(AppState &state, const Rested &) { state.busy.reset(); }
 } // namespace
 
 std::optional<Goal> goal(const AppState &state) {
+    if (auto for_a_picture = picture_goal(state))
+        return for_a_picture;
     if (!state.scene || state.halted)
         return std::nullopt;
     Goal goal{state.run, state.scene, state.options, state.shown(), state.position};

@@ -8,7 +8,7 @@
 
 namespace penumbra {
 
-/// Where the worker should stand; nothing when there is no scene or the user has cancelled.
+/// Where the worker should stand, for a pending picture first; nothing when there is no scene or the user has cancelled.
 std::optional<Goal> goal(const AppState &state);
 
 /// Asks for another position (never below 0), for all panes. Beyond the end of every shown solution there is nothing:

@@ -1,6 +1,7 @@
 #include "commands/look_options.h"
 
 #include "core/read_text.h"
+#include "files/read_state.h"
 #include "scene/obj_header.h"
 
 #include <CLI/Option.hpp>
@@ -10,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -33,8 +35,8 @@ void set_size(LookOptions &options, const std::string &text) {
     const std::size_t by = text.find('x');
     const auto width = number<int>(std::string_view(text).substr(0, by));
     const auto height = by == text.npos ? std::nullopt : number<int>(std::string_view(text).substr(by + 1));
-    constexpr int least = 64, most = 16384;
-    if (!width || !height || *width < least || *height < least || *width > most || *height > most)
+    const auto fits = [](int n) { return n >= smallest_picture && n <= largest_picture; };
+    if (!width || !height || !fits(*width) || !fits(*height))
         refuse("--size", text, "WIDTHxHEIGHT in pixels, from 64 to 16384 each, as 1280x960");
     options.width = *width;
     options.height = *height;
@@ -59,11 +61,13 @@ void set_layers(LookOptions &options, const std::string &text) {
     options.look.layers = layers;
 }
 
-/// Sets those flags that the list names.
+/// Sets those flags that the list names; none of them where it is the word none.
 template <std::size_t n>
 void set_flags(const char *option, const std::string &text, const std::array<std::string_view, n> &names,
                std::array<bool, n> &flags) {
     flags.fill(false);
+    if (text == "none")
+        return;
     for (std::size_t from = 0; from <= text.size();) {
         const std::size_t comma = std::min(text.find(',', from), text.size());
         const auto found = std::ranges::find(names, std::string_view(text).substr(from, comma - from));
@@ -71,7 +75,7 @@ void set_flags(const char *option, const std::string &text, const std::array<std
             std::string known;
             for (const std::string_view name : names)
                 known.append(known.empty() ? "" : ", ").append(name);
-            refuse(option, text, ("a list of " + known + " with commas between").c_str());
+            refuse(option, text, ("a list of " + known + " with commas between, or none").c_str());
         }
         flags[static_cast<std::size_t>(found - names.begin())] = true;
         from = comma + 1;
@@ -105,6 +109,22 @@ void set_profile(LookOptions &options, const std::string &text) {
     options.profile = std::pair(Vec3(ends->head<3>()), Vec3(ends->tail<3>()));
 }
 
+/// What read_state refuses is refused here, too.
+void set_camera(LookOptions &options, const std::string &text) {
+    const auto given = numbers<10>(text);
+    if (!given)
+        refuse("--camera", text, "\"ex ey ez tx ty tz ux uy uz fov\": eye, target, up, and the vertical angle in degrees");
+    const auto triple = [&](int at) { return glm::dvec3((*given)[at], (*given)[at + 1], (*given)[at + 2]); };
+    Camera camera{triple(0), triple(3), triple(6), (*given)[9]};
+    const double up = glm::length(camera.up), away = glm::distance(camera.eye, camera.target);
+    if (!(camera.fov_y >= 0.01 && camera.fov_y <= 175) || !(up > 0) || !(away > 0) ||
+        !(glm::length(glm::cross((camera.target - camera.eye) / away, camera.up / up)) > 1e-9))
+        refuse("--camera", text, "a view: the eye is not in its target nor looks along its up, and the angle is from 0.01 to 175");
+    if (std::abs(up - 1) > 1e-9)
+        camera.up /= up;
+    options.camera = camera;
+}
+
 void add_curve_options(CLI::App &parser, LookOptions &options) {
     constexpr std::array<std::string_view, 5> kinds{"VE", "EV", "EEE", "plane", "contact"};
     constexpr std::array<std::string_view, 3> orders{"0", "1", "2"};
@@ -112,11 +132,11 @@ void add_curve_options(CLI::App &parser, LookOptions &options) {
     parser.add_option_function<std::string>(
         "--curve-kinds",
         [=, &filter](const std::string &text) { set_flags("--curve-kinds", text, kinds, filter.kinds); },
-        "Draws these curves alone: of VE, EV, EEE, plane, contact, with commas between");
+        "Draws these curves alone: of VE, EV, EEE, plane, contact, with commas between, or none");
     parser.add_option_function<std::string>(
         "--curve-orders",
         [=, &filter](const std::string &text) { set_flags("--curve-orders", text, orders, filter.orders); },
-        "Draws curves of these orders alone: of 0, 1, 2, with commas between");
+        "Draws curves of these orders alone: of 0, 1, 2, with commas between, or none");
     parser.add_option("--curve-source", options.curve_source,
                       "Draws curves of this source alone: a surface's number, or its object's name");
     parser
@@ -160,7 +180,21 @@ Range error_range_from(const char *option, const std::string &text) {
 
 void add_look_options(CLI::App &parser, LookOptions &options) {
     parser.add_option_function<std::string>(
-        "--size", [&](const std::string &text) { set_size(options, text); }, "WIDTHxHEIGHT in pixels [1280x960]");
+        "--size", [&](const std::string &text) { set_size(options, text); },
+        "WIDTHxHEIGHT in pixels, from 64 to 16384 each [1280x960]");
+    parser
+        .add_option("--supersample", options.supersample,
+                    "Drawn so many times larger, 1 to 4, and averaged as light: smooth lines and shadow edges")
+        ->check(CLI::Range(1, most_supersampling))
+        ->capture_default_str();
+    parser.add_flag("--transparent,!--no-transparent", options.look.transparent,
+                    "Nothing is drawn where there is no surface (a PNG with alpha); words stand on plates of the "
+                    "background's colour");
+    parser.add_flag("--labels,!--no-labels", options.labels, "Strategy and figures over each pane [yes]");
+    parser.add_flag("--legend,!--no-legend", options.legend, "Scales and line kinds below the panes [yes]");
+    parser.add_flag_function(
+        "--fresh,!--no-fresh", [&](std::int64_t n) { options.fresh = n > 0; },
+        "Patches that the last refinement made stand out [where --steps is given]");
     parser.add_option_function<std::string>(
         "--layers", [&](const std::string &text) { set_layers(options, text); },
         "Of mesh, curves, links, with commas between, or none [mesh,curves]");
@@ -204,6 +238,13 @@ void add_look_options(CLI::App &parser, LookOptions &options) {
                 refuse("--view", text, "\"ex ey ez tx ty tz fov\": eye, target, and the vertical angle in degrees");
         },
         "\"ex ey ez tx ty tz fov\": eye, target, vertical angle [degrees]; the scene's own unless given");
+    parser
+        .add_option_function<std::string>(
+            "--camera", [&](const std::string &text) { set_camera(options, text); },
+            "\"ex ey ez tx ty tz ux uy uz fov\": as --view with the up direction, and just so whatever the picture's "
+            "shape, where --view steps back for narrow ones")
+        ->excludes("--view");
+    parser.add_option("--caption", options.caption, "A sentence below the panes");
     parser.add_option("--exposure", options.look.exposure_ev, "EV: radiosity is shown 2^EV times as bright")
         ->check(CLI::Range(-40.0, 40.0))
         ->capture_default_str();

@@ -47,9 +47,9 @@ struct RenderOptions {
     std::vector<Pane> panes; ///< side by side, labelled; empty: the one of --strategy
     std::optional<int> steps;    ///< none: to `position`
     std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
+    Phase phase = Phase::pushed_pulled; ///< that the last of `steps` stops after
     bool priced = true;          ///< two panes have a sentence on what they took
-    bool legend = true;
-    std::optional<Camera> camera; ///< of a saved state; --view goes before
+    std::optional<bool> price_asked; ///< said on the command line
     LookOptions look;
     /// Where they come from, for messages.
     std::string curve_field = "--curve", keyhole_field = "--keyhole", profile_field = "--profile";
@@ -69,10 +69,13 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
                 {state.strategies[i], i < state.reconstructed.size() && state.reconstructed[i], lettered});
     }
     options.priced = picture.priced;
-    options.legend = state.legend;
+    options.look.legend = state.legend;
+    options.look.labels = picture.labels;
+    options.look.caption = state.caption;
+    options.look.supersample = picture.supersample;
     if (!state.converged)
         options.position = state.position;
-    options.camera = state.camera;
+    options.look.camera = state.camera;
     options.look.width = picture.width;
     options.look.height = picture.height;
     options.look.look = state.look;
@@ -123,8 +126,8 @@ std::shared_ptr<const Keyhole> look_from(const std::shared_ptr<const Scene> &sce
 }
 
 Camera camera_of(const RenderOptions &options, const Scene &scene, const Snapshot &snapshot, double aspect) {
-    if (options.camera && !options.look.view)
-        return *options.camera;
+    if (options.look.camera && !options.look.view)
+        return *options.look.camera;
     Scene seen = scene;
     if (options.look.view)
         seen.view = options.look.view;
@@ -193,7 +196,7 @@ Truth find_changed(const std::shared_ptr<const Scene> &scene, const Options &opt
 /// Steps to the position asked for, whose last iteration may stop after a phase.
 void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Progress &progress) {
     const int most = solver.options().max_iterations;
-    const int position = options.steps ? step_position(*options.steps) : options.position.value_or(step_position(most));
+    const int position = options.steps ? position_of(*options.steps, *options.steps == 0 ? Phase::start : options.phase) : options.position.value_or(step_position(most));
     iterate(solver, position / phases_per_iteration, cancel, progress);
     const auto complete = solver.state();
     try {
@@ -246,13 +249,15 @@ void check_error_range(const Look &look) {
 
 int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options, const CommonOptions &common) {
     check_deliverable(common.output);
-    const OpenedFile opened = open_file(solving.scene, solving.up_vector());
+    const OpenedFile opened = open_file(solving.scene, solving.up_vector(), solving.moves);
     if (!common.quiet)
         say_notes(opened.notes());
     const std::shared_ptr<const Scene> &scene = opened.scene;
     options.look.look.emphasise_fresh = options.steps.has_value();
     if (opened.state)
         take_over(*opened.state, parser, solving, options);
+    options.look.look.emphasise_fresh = options.look.fresh.value_or(options.look.look.emphasise_fresh);
+    options.priced = options.price_asked.value_or(options.priced);
     const Offscreen context; // before the work: where there is no GL, it would be for nothing
     set_threads(solving.options.threads);
     const Interrupt interrupt(solving.limits);
@@ -261,7 +266,10 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     spec.width = options.look.width;
     spec.height = options.look.height;
     spec.look = options.look.look;
-    spec.legend = options.legend;
+    spec.labels = options.look.labels;
+    spec.caption = options.look.caption;
+    spec.legend = options.look.legend;
+    spec.supersample = options.look.supersample;
     spec.columns = options.panes.size() > 1 ? 2 : 1;
     bool converged = true;
     std::string out_of_reach; // why, where a solution cannot come to the tolerance
@@ -292,7 +300,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     const Snapshot &first = *spec.panes.front().snapshot;
     choose_curves(options, first, spec.look);
     if (options.panes.size() == 2 && options.priced && !options.panes[0].as_quadratics && !options.panes[1].as_quadratics)
-        spec.caption = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
+        spec.price = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
     if (options.look.keyhole)
         spec.keyhole = look_from(scene, *options.look.keyhole, options.keyhole_field);
     std::optional<ProfileData> profile;
@@ -308,7 +316,8 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
         return interrupt.exit_status();
     }
     spec.camera = camera_of(options, *scene, first, pane_aspect(spec));
-    const SavedState saved = picture_state(spec, *scene, std::filesystem::path(common.output).parent_path());
+    SavedState saved = picture_state(spec, *scene, std::filesystem::path(common.output).parent_path());
+    saved.moves = opened.moves;
     write_png(common.output, draw_picture(spec), state_text(saved));
     if (profile)
         write_profile(common.output, *spec.profile, *profile, spec.look.theme);
@@ -358,6 +367,21 @@ Command add_render(CLI::App &root) {
         "and bq draw the constants as quadratics made for the eye, as in 1993");
     parser->add_option("--steps", options->steps, "Steps to do; to the fixed point unless given")
         ->check(CLI::Range(0, 1'000'000));
+    parser
+        ->add_option_function<std::string>(
+            "--phase",
+            [options](const std::string &text) {
+                options->phase = text == name(Phase::refined)    ? Phase::refined
+                                 : text == name(Phase::gathered) ? Phase::gathered
+                                                                 : Phase::pushed_pulled;
+            },
+            "The last of the steps stops after refine, gather, or push-pull (default)")
+        ->check(CLI::IsMember({std::string(name(Phase::refined)), std::string(name(Phase::gathered)),
+                               std::string(name(Phase::pushed_pulled))}))
+        ->needs("--steps");
+    parser->add_flag_function(
+        "--price,!--no-price", [options](std::int64_t n) { options->price_asked = n > 0; },
+        "A sentence on what two panes took [where --panes is given]");
     add_look_options(*parser, options->look);
     add_solving_options(*parser, *solving);
     add_common_options(*parser, *common, "The picture, a PNG");

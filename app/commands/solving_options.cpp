@@ -1,12 +1,14 @@
 #include "commands/solving_options.h"
 
 #include "commands/terminal.h"
+#include "core/read_text.h"
 #include "scene/bundled.h"
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -35,6 +37,21 @@ void set_effects(const std::vector<std::string> &all, EffectSwitches &switches) 
             throw CLI::ValidationError("--effect", "'" + text + "' sets nothing; give NAME=auto, NAME=on or NAME=off");
         for (const Effect effect : effects)
             switches[effect] = *value;
+    }
+}
+
+void set_moves(const std::vector<std::string> &all, std::vector<ObjectMove> &moves) {
+    moves.clear();
+    for (const std::string &text : all) {
+        const auto words = words_of(text);
+        std::array<double, 5> n{0, 0, 0, 0, 1};
+        bool good = words.size() == 4 || words.size() == 5;
+        for (std::size_t i = 0; good && i < words.size(); ++i)
+            good = number_from(words[i], n[i]) && std::isfinite(n[i]);
+        if (!good || n[0] < 0 || n[0] != std::floor(n[0]) || n[0] > 1e9 || !(n[4] > 0))
+            throw CLI::ValidationError("--move", "'" + text + "' is not \"SURFACE dx dy dz [scale]\" with a surface's number, a "
+                                                              "way and a scale above 0");
+        moves.push_back({static_cast<int>(n[0]), {n[1], n[2], n[3]}, n[4]});
     }
 }
 
@@ -92,6 +109,12 @@ void add_scene_options(CLI::App &parser, SolvingOptions &solving) {
 void add_up_option(CLI::App &parser, SolvingOptions &solving) {
     parser.add_option("--up", solving.up, "The scene's up axis: x, y or z (z for OBJ, y for glTF)")
         ->check(CLI::IsMember({"x", "y", "z"}));
+    parser
+        .add_option_function<std::vector<std::string>>(
+            "--move", [&](const std::vector<std::string> &all) { set_moves(all, solving.moves); },
+            "\"SURFACE dx dy dz [scale]\": the object of this surface (its number) elsewhere, and larger or smaller; any "
+            "number of times")
+        ->allow_extra_args(false);
 }
 
 void add_solving_options(CLI::App &parser, SolvingOptions &solving) {
@@ -181,6 +204,8 @@ void add_probe_options(CLI::App &parser, SolvingOptions &solving) {
 
 Scene open_scene(const SolvingOptions &solving, const CommonOptions &common) {
     Scene scene = open_scene(solving.scene, solving.up_vector());
+    if (!solving.moves.empty())
+        scene = with_moves(scene, solving.moves);
     if (!common.quiet)
         say_notes(scene.notes);
     return scene;

@@ -4,12 +4,14 @@
 #include "commands/interrupt.h"
 #include "core/options.h"
 #include "core/vec.h"
+#include "scene/move_object.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace penumbra {
 
@@ -17,6 +19,7 @@ struct Scene;
 
 struct SolvingOptions {
     std::string scene; ///< a file or a bundled scene's name
+    std::vector<ObjectMove> moves; ///< of objects, from where the file has them
     std::string up; ///< empty: the format's own
     Options options;
     Limits limits;
@@ -36,10 +39,10 @@ CLI::Validator positive();
 /// -o, -q, -v; `output` is what -o names, for the help.
 void add_common_options(CLI::App &parser, CommonOptions &common, const std::string &output);
 
-/// --up.
+/// --up and --move.
 void add_up_option(CLI::App &parser, SolvingOptions &solving);
 
-/// The positional SCENE and --up.
+/// The positional SCENE, --up and --move.
 void add_scene_options(CLI::App &parser, SolvingOptions &solving);
 
 /// --strategy, --cut, --basis, --order, --threshold, --max-depth, --max-iterations, --threads, --memory-limit,

@@ -28,7 +28,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, ViewerSetup setup, cons
     const std::optional<Vec3> up = solving.up_vector();
     setup.read_file = [up](const std::string &name) { return open_file(name, up); };
     // Read here and not in the window, so that a bad file ends the program with its line and status.
-    setup.file = setup.read_file(solving.scene);
+    setup.file = open_file(solving.scene, up, solving.moves);
     if (auto &state = setup.file.state) {
         solving.options = state->options;
         say_again(parser);

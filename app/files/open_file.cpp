@@ -75,19 +75,20 @@ std::vector<std::string> OpenedFile::notes() const {
     return all;
 }
 
-OpenedFile open_file(const std::string &name, const std::optional<Vec3> &up) {
-    auto state = state_of(name);
-    if (!state)
-        return {std::make_shared<const Scene>(open_scene(name, up)), std::nullopt};
-    auto scene = std::make_shared<const Scene>(scene_of(name, *state, up));
-    if (const int source = state->look.curve_filter.source; source >= scene->n_surfaces())
+OpenedFile open_file(const std::string &name, const std::optional<Vec3> &up, const std::vector<ObjectMove> &moves) {
+    OpenedFile opened;
+    opened.state = state_of(name);
+    opened.scene = std::make_shared<const Scene>(opened.state ? scene_of(name, *opened.state, up) : open_scene(name, up));
+    opened.moves = moves.empty() && opened.state ? opened.state->moves : moves;
+    if (const int source = opened.state ? opened.state->look.curve_filter.source : -1; source >= opened.scene->n_surfaces())
         throw BadInput(
             fmt::format("{}: curves.source is {}; the scene has {} surfaces, counted from 0: has it changed?", name,
-                        source, scene->n_surfaces()));
-    if (state->moves.empty())
-        return {std::move(scene), std::move(state)};
-    auto moved = std::make_shared<const Scene>(with_moves(*scene, state->moves));
-    return {std::move(moved), std::move(state), std::move(scene)};
+                        source, opened.scene->n_surfaces()));
+    if (!opened.moves.empty()) {
+        opened.original = opened.scene;
+        opened.scene = std::make_shared<const Scene>(with_moves(*opened.original, opened.moves));
+    }
+    return opened;
 }
 
 } // namespace penumbra

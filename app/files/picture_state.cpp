@@ -8,7 +8,7 @@ namespace penumbra {
 
 SavedPicture saved_picture(const PictureSpec &spec) {
     const bool lettered = std::ranges::any_of(spec.panes, [](const PicturePane &p) { return !p.tag.empty(); });
-    return {spec.width, spec.height, lettered, !spec.caption.empty()};
+    return {spec.width, spec.height, lettered, !spec.price.empty(), spec.labels, spec.supersample};
 }
 
 SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std::filesystem::path &folder) {
@@ -26,6 +26,7 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
         saved.position = std::max(saved.position, position_of(snapshot.counters.iteration, snapshot.phase));
         saved.converged &= snapshot.counters.converged;
     }
+    saved.caption = spec.caption;
     saved.camera = spec.camera;
     saved.look = spec.look;
     saved.range_chosen = spec.look.range.has_value();

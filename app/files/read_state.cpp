@@ -236,12 +236,15 @@ void read_look(const JsonValue &root, SavedState &state) {
     }
 }
 
-SavedPicture read_picture(const JsonValue &json) {
+SavedPicture read_picture(const JsonValue &json, Look &look) {
     SavedPicture picture;
     read_whole(json, "width", smallest_picture, largest_picture, picture.width);
     read_whole(json, "height", smallest_picture, largest_picture, picture.height);
     read_flag(json, "lettered", picture.lettered);
     read_flag(json, "priced", picture.priced);
+    read_flag(json, "labels", picture.labels);
+    read_whole(json, "supersample", 1, most_supersampling, picture.supersample);
+    read_flag(json, "transparent", look.transparent);
     return picture;
 }
 
@@ -300,7 +303,7 @@ void read_view(const JsonValue &root, SavedState &state) {
         state.profile = std::pair(triple<Vec3>(profile->at(0)), triple<Vec3>(profile->at(1)));
     }
     if (const auto picture = root.known("picture"))
-        state.picture = read_picture(*picture);
+        state.picture = read_picture(*picture, state.look);
     if (const auto caption = root.known("caption"))
         state.caption = read_line(*caption, "take them out");
 }

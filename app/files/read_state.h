@@ -9,7 +9,7 @@
 namespace penumbra {
 
 inline constexpr std::size_t largest_state = std::size_t{1} << 20; ///< bytes; nesting at most 16, values at most 20 000
-inline constexpr int most_panes = 16, largest_picture = 16384, smallest_picture = 64;
+inline constexpr int most_panes = 16, largest_picture = 16384, smallest_picture = 64, most_supersampling = 4;
 
 /// Reads the text of a state; `file` is what messages call it. Fields that are missing (all but `scene` may be) have
 /// the program's defaults, unknown ones are passed over; a text of a later format is read as far as it is understood,

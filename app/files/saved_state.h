@@ -23,6 +23,8 @@ struct SavedPicture {
     int width = 1280, height = 960; ///< pixels
     bool lettered = false;          ///< panes are tagged (a) to (d)
     bool priced = false;            ///< with the sentence on what two panes took
+    bool labels = true;             ///< over the panes
+    int supersample = 1;            ///< drawn so many times larger and averaged
     bool operator==(const SavedPicture &) const = default;
 };
 

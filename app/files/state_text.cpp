@@ -5,6 +5,7 @@
 #include "move_verbs.h"
 #include "iteration/error_map.h"
 #include "palette.h"
+#include "picture_verbs.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -150,6 +151,18 @@ Json element(const AppState &s) {
     return j;
 }
 
+Json pictures(const PictureMode &mode) {
+    const PictureSettings &settings = mode.settings;
+    const PixelSize size = pixels_of(settings.size);
+    return {{"pending", mode.pending.size()},
+            {"settings_open", mode.settings_open},
+            {"size", size.width == 0 ? Json("panes") : Json::array({size.width, size.height})},
+            {"supersample", settings.supersample},
+            {"transparent", settings.transparent},
+            {"labels", settings.labels},
+            {"command", mode.command}};
+}
+
 Json shelf(const Shelf &shelf) {
     constexpr std::string_view names[] = {"not run", "running", "ok", "failed"};
     Json j{{"checking", shelf.checking}, {"cases", Json::object()}};
@@ -205,7 +218,7 @@ std::string observed_state_text(const AppState &s) {
         awaits |= s.awaits_reconstruction(i);
     }
     j["run"] = s.run;
-    j["busy"] = s.busy.has_value() || s.truth.busy || awaits || awaits_report(s);
+    j["busy"] = s.busy.has_value() || s.truth.busy || awaits || awaits_report(s) || !s.pictures.pending.empty();
     j["judging"] = {
         {"busy", s.truth.busy}, {"doing", s.truth.doing}, {"halted", s.truth.halted}, {"truth_error", s.truth.error}};
     j["profiling"] = profile(s.profile);
@@ -239,6 +252,8 @@ std::string observed_state_text(const AppState &s) {
     j["microscope"] = microscope(s.microscope);
     j["inspected"] = element(s);
     j["shelf"] = shelf(s.shelf);
+    j["pictures"] = pictures(s.pictures);
+    j["progress"] = picture_progress(s);
     j["picture"] = s.last_picture;
     j["saved"] = s.last_state;
     j["inputs"] = s.inputs;

@@ -40,8 +40,9 @@ Json camera(const Camera &c) {
     return {{"eye", triple(c.eye)}, {"target", triple(c.target)}, {"up", triple(c.up)}, {"fov", c.fov_y}};
 }
 
-Json picture(const SavedPicture &p) {
-    return {{"width", p.width}, {"height", p.height}, {"lettered", p.lettered}, {"priced", p.priced}};
+Json picture(const SavedPicture &p, bool transparent) {
+    return {{"width", p.width},   {"height", p.height}, {"lettered", p.lettered},       {"priced", p.priced},
+            {"labels", p.labels}, {"supersample", p.supersample}, {"transparent", transparent}};
 }
 
 /// All but the bookmarks and the format.
@@ -88,7 +89,7 @@ Json view_json(const SavedState &s) {
     j["range"] = look.range ? Json::array({look.range->low, look.range->high}) : Json();
     j["range_chosen"] = s.range_chosen;
     j["background"] = look.theme == Theme::dark ? "dark" : "light";
-    j["picture"] = s.picture ? picture(*s.picture) : Json();
+    j["picture"] = s.picture ? picture(*s.picture, look.transparent) : Json();
     j["caption"] = s.caption;
     return j;
 }

@@ -36,6 +36,7 @@ void draw_hint(AppState &state, const WindowRect &panes);        ///< until the 
 void draw_caption(const AppState &state, const WindowRect &panes); ///< of a lecture
 void draw_error(AppState &state, const WindowRect &panes);       ///< the message, when it is one
 void draw_open_dialog(AppState &state);
+void draw_picture_settings(AppState &state);
 void draw_help(AppState &state);
 void draw_palette(AppState &state);
 

@@ -1,6 +1,7 @@
 #include "panels/controls.h"
 #include "panels/panels.h"
 #include "panels/words.h"
+#include "picture_verbs.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,7 +23,8 @@ std::string facts(const AppState &state) {
 
 void draw_status_bar(AppState &state, const WindowRect &rect) {
     begin_panel("status", rect);
-    ImGui::TextUnformatted(state.message.error ? "" : state.message.text.c_str());
+    const std::string progress = picture_progress(state);
+    ImGui::TextUnformatted(!progress.empty() ? progress.c_str() : state.message.error ? "" : state.message.text.c_str());
     const std::string right = facts(state);
     ImGui::SameLine(std::max(em(1), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(right.c_str()).x));
     ImGui::TextDisabled("%s", right.c_str());

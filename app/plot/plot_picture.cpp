@@ -20,7 +20,7 @@ Image draw_plot_picture(int width, int height, float text, Theme theme, const st
     glClear(GL_COLOR_BUFFER_BIT);
     DrawListCanvas canvas(overlay.list(), overlay.fonts());
     draw(canvas);
-    overlay.draw();
+    overlay.draw({0, 0, width, height});
     picture.bind();
     Image image = read_pixels(0, 0, width, height);
     if (gl::context_is_lost())

@@ -184,6 +184,13 @@ Camera zoom(const Camera &camera, double factor, const glm::dvec3 &point) {
     return result;
 }
 
+Camera hold_width(const Camera &camera, double from_aspect, double to_aspect) {
+    Camera result = camera;
+    if (to_aspect < from_aspect)
+        result.fov_y = 2 * glm::degrees(std::atan(std::tan(glm::radians(camera.fov_y) / 2) * from_aspect / to_aspect));
+    return result;
+}
+
 glm::dmat4 view_matrix(const Camera &camera) { return glm::lookAt(camera.eye, camera.target, camera.up); }
 
 glm::dmat4 projection_matrix(const Camera &camera, double aspect, const Bounds &box) {

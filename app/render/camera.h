@@ -49,6 +49,10 @@ Camera pan(const Camera &camera, double dx, double dy, double height, const glm:
 /// stays where it is in the picture.
 Camera zoom(const Camera &camera, double factor, const glm::dvec3 &point);
 
+/// The same eye, its angle widened so that all that a frame of one aspect shows from side to side is in a narrower one,
+/// too. Unchanged for wider ones.
+Camera hold_width(const Camera &camera, double from_aspect, double to_aspect);
+
 glm::dmat4 view_matrix(const Camera &camera);
 /// Perspective whose near and far planes just hold the box.
 glm::dmat4 projection_matrix(const Camera &camera, double aspect, const Bounds &bounds);

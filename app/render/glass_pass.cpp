@@ -22,6 +22,7 @@ void GlassPass::prepare(const Frame &frame, const GpuSnapshot &gpu) const {
     frame.set_space(program_);
     gpu.tints.bind(1);
     program_.set("vertices", 1);
+    program_.set("origin", frame.origin);
     program_.set("hatch_period", 9 * frame.scale);
     const bool dark = frame.look.theme == Theme::dark;
     const glm::vec4 smoke = dark ? glm::vec4(0.62, 0.68, 0.78, 0.2) : glm::vec4(0.25, 0.29, 0.36, 0.25);

@@ -57,12 +57,15 @@ constexpr float padding = 0.6f;
 
 constexpr float footnote_size = 0.9f;
 
+constexpr float largest_letters = 96; ///< pixels; of more the letters' texture would be larger than drivers take
+
 } // namespace
 
 Fonts load_fonts(float size) {
     // Latin, Greek, punctuation, super- and subscripts, arrows, mathematical signs.
     static const ImWchar ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2000, 0x209f, 0x2190, 0x21ff,
                                      0x1d40, 0x1d40, 0x2200, 0x22ff, 0x23e9, 0x23fa, 0x25a0, 0x25ff, 0};
+    const float drawn = std::min(size, largest_letters);
     const auto load = [&](const char *path) {
         const std::string_view bytes = embedded(path);
         ImFontConfig config;
@@ -70,7 +73,7 @@ Fonts load_fonts(float size) {
         config.OversampleH = size > 24 ? 1 : 2;
         config.OversampleV = 1;
         return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<char *>(bytes.data()),
-                                                          static_cast<int>(bytes.size()), size, &config, ranges);
+                                                          static_cast<int>(bytes.size()), drawn, &config, ranges);
     };
     Fonts fonts;
     fonts.size = size;

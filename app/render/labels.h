@@ -13,7 +13,7 @@ namespace penumbra {
 
 struct ErrorMap; // iteration/error_map.h
 
-/// DejaVu Sans (embedded), rasterised for this text height in pixels.
+/// DejaVu Sans (embedded), rasterised for this text height in pixels; very large text is drawn from letters of 96 pixels.
 struct Fonts {
     ImFont *text = nullptr;
     ImFont *bold = nullptr;

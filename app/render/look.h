@@ -65,6 +65,7 @@ struct Look {
     CurveFilter curve_filter;
     Spotlight spotlight;
     Theme theme = Theme::dark;
+    bool transparent = false; ///< pictures alone: nothing is drawn where there is no surface
     bool operator==(const Look &) const = default;
 };
 

@@ -4,6 +4,8 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include <utility>
+
 namespace penumbra {
 
 Overlay::Overlay(int width, int height, float text)
@@ -29,9 +31,13 @@ Overlay::~Overlay() {
 
 ImDrawList &Overlay::list() { return *ImGui::GetBackgroundDrawList(); }
 
-void Overlay::draw() {
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+void Overlay::draw(const PixelRect &part) {
+    if (!std::exchange(collected_, true))
+        ImGui::Render();
+    ImDrawData &data = *ImGui::GetDrawData();
+    data.DisplayPos = {static_cast<float>(part.x), static_cast<float>(part.y)};
+    data.DisplaySize = {static_cast<float>(part.width), static_cast<float>(part.height)};
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
 }
 
 } // namespace penumbra

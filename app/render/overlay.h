@@ -2,8 +2,7 @@
 #pragma once
 
 #include "render/labels.h"
-
-#include <memory>
+#include "render/pane_renderer.h"
 
 namespace penumbra {
 
@@ -18,13 +17,15 @@ public:
     const Fonts &fonts() const { return fonts_; }
     /// Collects what is to be drawn; coordinates in pixels from the upper left.
     ImDrawList &list();
-    /// Draws it into the bound framebuffer.
-    void draw();
+    /// Draws what lies in this part into the bound framebuffer, which holds that part alone. After the first time nothing
+    /// is collected any more.
+    void draw(const PixelRect &part);
 
 private:
     ImGuiContext *outer_;
     ImGuiContext *context_;
     Fonts fonts_;
+    bool collected_ = false;
 };
 
 } // namespace penumbra

@@ -11,10 +11,34 @@
 #include "render/mesh_pass.h"
 #include "render/surface_pass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace penumbra {
+
+PixelRect overlap(const PixelRect &a, const PixelRect &b) {
+    const int left = std::max(a.x, b.x), top = std::max(a.y, b.y);
+    return {left, top, std::max(0, std::min(a.x + a.width, b.x + b.width) - left),
+            std::max(0, std::min(a.y + a.height, b.y + b.height) - top)};
+}
+
+namespace {
+
+/// From the frame of a rectangle to the frame of a part of it: [-1, 1] is that part.
+glm::dmat4 onto(const PixelRect &rect, const PixelRect &seen) {
+    const glm::dvec2 scale(static_cast<double>(rect.width) / seen.width, static_cast<double>(rect.height) / seen.height);
+    const glm::dvec2 middle((2.0 * (seen.x - rect.x) + seen.width) / rect.width - 1,
+                            1 - (2.0 * (seen.y - rect.y) + seen.height) / rect.height);
+    glm::dmat4 window(1);
+    window[0][0] = scale.x;
+    window[1][1] = scale.y;
+    window[3][0] = -scale.x * middle.x;
+    window[3][1] = -scale.y * middle.y;
+    return window;
+}
+
+} // namespace
 
 struct PaneRenderer::Parts {
     GpuSnapshot gpu;
@@ -54,16 +78,18 @@ struct PaneRenderer::Parts {
             errors.draw(frame, gpu, false);
     }
 
-    Frame frame(const Camera &camera, const Look &look, const PixelRect &rect, PixelScale pixel_scale) const {
+    /// Of what is seen of the rectangle.
+    Frame frame(const Camera &camera, const Look &look, const PixelRect &rect, const PixelRect &seen,
+                PixelScale pixel_scale) const {
         const auto to_unit = [&](const glm::dvec3 &x) { return (x - gpu.centre) / gpu.size; };
         const Camera unit{to_unit(camera.eye), to_unit(camera.target), camera.up, camera.fov_y};
         const Bounds box{to_unit(gpu.bounds.low), to_unit(gpu.bounds.high)};
         Frame frame;
         frame.view = view_matrix(unit);
         const glm::dmat4 projection = projection_matrix(unit, rect.aspect(), box);
-        frame.projection = projection;
+        frame.projection = onto(rect, seen) * projection;
         frame.eye = unit.eye;
-        frame.viewport = {rect.width, rect.height};
+        frame.viewport = {seen.width, seen.height};
         frame.near = static_cast<float>(projection[3][2] / (projection[2][2] - 1));
         frame.pixel = static_cast<float>(2 * std::tan(glm::radians(camera.fov_y) / 2) *
                                          glm::distance(unit.eye, unit.target) / rect.height);
@@ -124,13 +150,17 @@ void close() {
 } // namespace
 
 void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect &rect, int framebuffer_height,
-                        PixelScale pixel_scale) {
-    if (rect.width < 1 || rect.height < 1)
+                        PixelScale pixel_scale, const std::optional<PixelRect> &part) {
+    const PixelRect seen = part ? overlap(rect, *part) : rect;
+    if (seen.width < 1 || seen.height < 1)
         return;
-    open(rect, framebuffer_height, background_colour(look.theme));
+    const PixelRect corner = part.value_or(PixelRect{0, 0, 0, framebuffer_height});
+    open({seen.x - corner.x, seen.y - corner.y, seen.width, seen.height}, corner.height,
+         look.transparent ? glm::vec4(0) : background_colour(look.theme));
     if (parts_->snapshot) {
         parts_->follow(look);
-        const Frame frame = parts_->frame(camera, look, rect, pixel_scale);
+        Frame frame = parts_->frame(camera, look, rect, seen, pixel_scale);
+        frame.origin = {corner.x, framebuffer_height - corner.y - corner.height};
         const GpuSnapshot &gpu = parts_->gpu;
         glBindVertexArray(parts_->no_attributes.name());
         gpu.surfaces.bind(0);
@@ -161,7 +191,7 @@ void PaneRenderer::draw_values(const Camera &camera, Shading shading, const Pixe
     if (parts_->snapshot) {
         Look look;
         look.shading = shading;
-        const Frame frame = parts_->frame(camera, look, rect, {});
+        const Frame frame = parts_->frame(camera, look, rect, rect, {});
         glBindVertexArray(parts_->no_attributes.name());
         parts_->gpu.surfaces.bind(0);
         parts_->surfaces.draw(frame, parts_->gpu, true);
@@ -177,7 +207,7 @@ void PaneRenderer::draw_error_values(const Camera &camera, ErrorKind kind, const
         look.shading = Shading::error;
         look.error = kind;
         parts_->bring_errors(kind);
-        const Frame frame = parts_->frame(camera, look, rect, {});
+        const Frame frame = parts_->frame(camera, look, rect, rect, {});
         glBindVertexArray(parts_->no_attributes.name());
         parts_->errors.draw(frame, parts_->gpu, true);
     }

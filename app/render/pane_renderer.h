@@ -7,6 +7,7 @@
 #include "render/look.h"
 
 #include <memory>
+#include <optional>
 
 namespace penumbra {
 
@@ -16,7 +17,10 @@ struct ErrorMap; // iteration/error_map.h
 struct PixelRect {
     int x = 0, y = 0, width = 0, height = 0;
     double aspect() const { return height > 0 ? static_cast<double>(width) / height : 1; }
+    bool operator==(const PixelRect &) const = default;
 };
+/// What both hold; of no width or height where that is nothing.
+PixelRect overlap(const PixelRect &a, const PixelRect &b);
 
 class PaneRenderer {
 public:
@@ -32,9 +36,11 @@ public:
 
     /// Clears the rectangle to the theme's background and draws what was uploaded. `framebuffer_height` [pixels] says
     /// where the top is. Leaves blending, depth test and scissor off, and no program or vertex array bound. Lines are
-    /// `pixel_scale.factor` pixels wide.
+    /// `pixel_scale.factor` pixels wide. With a transparent background colours are multiplied by their alpha.
+    /// `part`: the framebuffer holds this part alone of one that would be so high, which may be larger than any that
+    /// the driver makes; what lies in the part is drawn as the whole would have it. None: all of it.
     void draw(const Camera &camera, const Look &look, const PixelRect &rect, int framebuffer_height,
-              PixelScale pixel_scale = {});
+              PixelScale pixel_scale = {}, const std::optional<PixelRect> &part = std::nullopt);
 
     /// Radiosity of what is seen [W/m2], as red, green and blue, with alpha 1 where there is a surface and 0 where
     /// there is none; for a framebuffer of floats without multisampling.

@@ -3,15 +3,16 @@
 #include "core/error.h"
 #include "gl/bound_framebuffer.h"
 #include "gl/context_lost.h"
-#include "gl/framebuffer.h"
 #include "render/event_note.h"
 #include "render/keyhole_inset.h"
 #include "render/overlay.h"
 #include "render/pane_renderer.h"
 #include "render/profile_mark.h"
+#include "render/tiles.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace penumbra {
 namespace {
@@ -27,7 +28,7 @@ struct Layout {
 float text_height(const PictureSpec &spec) {
     if (spec.text > 0)
         return static_cast<float>(spec.text);
-    return static_cast<float>(std::clamp(std::round(std::min(spec.width / (spec.columns > 1 ? 30.0 * spec.columns : 54), spec.height / 42.0)), 11.0, 64.0));
+    return static_cast<float>(std::max(11.0, std::round(std::min(spec.width / (spec.columns > 1 ? 30.0 * spec.columns : 54), spec.height / 42.0))));
 }
 
 int n_rows(const PictureSpec &spec) { return (static_cast<int>(spec.panes.size()) + spec.columns - 1) / spec.columns; }
@@ -76,13 +77,15 @@ const SnapshotCurve *noted_curve(const PictureSpec &spec) {
     return chosen >= 0 && chosen < static_cast<int>(curves.size()) ? &curves[static_cast<std::size_t>(chosen)] : nullptr;
 }
 
-/// What that curve is, or the caption, above `bottom`; measured only when there is no list. Returns its height.
+/// What that curve is, or the caption and the price, above `bottom`; measured only when there is no list. Returns its height.
 float draw_note(ImDrawList *list, const Fonts &fonts, const PictureSpec &spec, float bottom) {
     const SnapshotCurve *curve = noted_curve(spec);
-    if (!curve && spec.caption.empty())
+    if (!curve && spec.caption.empty() && spec.price.empty())
         return 0;
+    constexpr const char *measured = "measured while this picture was made";
     const EventWords words = curve ? event_words(*spec.panes.front().snapshot, *curve)
-                                   : EventWords{spec.caption, "", "measured while this picture was made", ""};
+                                   : spec.caption.empty() ? EventWords{spec.price, "", measured, ""}
+                                                        : EventWords{spec.caption, "", spec.price, ""};
     return draw_event_note(list, fonts, {0.6f * fonts.size, bottom}, static_cast<float>(spec.width) - 1.2f * fonts.size,
                            words, curve ? curve_colour(curve->kind) : ImVec4(0.95f, 0.62f, 0.1f, 1), spec.look.theme)
         .y;
@@ -110,6 +113,83 @@ TextSizes measure(const PictureSpec &spec, const Fonts &fonts, const std::vector
     return sizes;
 }
 
+ImVec2 corner(const PixelRect &r) { return {static_cast<float>(r.x), static_cast<float>(r.y)}; }
+ImVec2 far_corner(const PixelRect &r) { return {static_cast<float>(r.x + r.width), static_cast<float>(r.y + r.height)}; }
+
+/// Behind words over a clear background: they are read on whatever will be there.
+void draw_plates(ImDrawList &list, const PictureSpec &spec, const Layout &l) {
+    const glm::vec4 c = background_colour(spec.look.theme);
+    const ImU32 colour = ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 0.85f});
+    const auto plate = [&](const ImVec2 &low, const ImVec2 &high) {
+        if (high.x > low.x && high.y > low.y)
+            list.AddRectFilled(low, high, colour, 0.4f * l.text);
+    };
+    for (std::size_t i = 0; i < l.cells.size(); ++i) {
+        const PixelRect &cell = l.cells[i], &view = l.views[i];
+        plate(corner(cell), {static_cast<float>(cell.x + cell.width), static_cast<float>(view.y)});
+    }
+    plate(corner(l.legend), far_corner(l.legend));
+}
+
+void draw_labels(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l, bool same_footnote) {
+    const float em = fonts.size;
+    for (std::size_t i = 0; i < spec.panes.size(); ++i) {
+        PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag, shown_errors(spec, spec.panes[i]));
+        const ImVec2 low = corner(l.cells[i]), high = far_corner(l.cells[i]);
+        if (!same_footnote) { // else it is said once, with the legend
+            const float width = 0.9f * fonts.text->CalcTextSizeA(em, 1e9f, 0, label.footnote.c_str()).x;
+            draw_footnote(list, fonts, {high.x - width - 0.6f * em, high.y - 1.5f * em}, label, spec.look.theme);
+        }
+        label.footnote.clear();
+        draw_pane_label(list, fonts, low, high, label, spec.look.theme);
+    }
+}
+
+void draw_legend(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l, bool same_footnote,
+                 const std::vector<const Snapshot *> &snapshots) {
+    const float em = fonts.size, width = static_cast<float>(spec.width);
+    const ImVec2 at = corner(l.legend);
+    const float below =
+        draw_colour_legend_lying(list, fonts, {at.x + em, at.y + 0.4f * em}, 0.34f * width, spec.look, *spec.look.range).y;
+    if (same_footnote && !spec.panes.empty())
+        draw_footnote(list, fonts, {at.x + em, at.y + 0.6f * em + below}, pane_label(*snapshots.front()), spec.look.theme);
+    draw_line_legend(list, fonts, {at.x + 0.43f * width, at.y + 0.4f * em}, 0.55f * width, spec.look, snapshots);
+}
+
+/// All that stands over the panes and beside them.
+void draw_words(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l,
+                const std::vector<const Snapshot *> &snapshots) {
+    const bool same_footnote = spec.legend && have_same_footnote(spec);
+    if (spec.look.transparent)
+        draw_plates(list, spec, l);
+    if (spec.labels)
+        draw_labels(list, fonts, spec, l, same_footnote);
+    for (const PixelRect &view : l.views) {
+        if (spec.profile)
+            draw_profile_mark(list, fonts, corner(view), far_corner(view), spec.camera, *spec.profile);
+        if (spec.keyhole)
+            draw_keyhole_point(list, fonts, corner(view), far_corner(view), spec.camera, *spec.keyhole);
+    }
+    if (spec.keyhole)
+        draw_keyhole_inset(list, fonts, corner(l.inset), *spec.keyhole, *snapshots.front(), spec.look.theme);
+    draw_note(&list, fonts, spec, static_cast<float>(l.note.y + l.note.height));
+    if (spec.legend)
+        draw_legend(list, fonts, spec, l, same_footnote, snapshots);
+}
+
+/// What is drawn before it is averaged, with the ranges that its panes share.
+PictureSpec enlarged(const PictureSpec &spec, const std::vector<const Snapshot *> &snapshots) {
+    PictureSpec large = spec;
+    large.text = static_cast<double>(spec.supersample) * text_height(spec);
+    large.width *= spec.supersample;
+    large.height *= spec.supersample;
+    if (!large.look.range)
+        large.look.range = common_range(snapshots);
+    if (large.look.shading == Shading::error && !large.look.error_range)
+        large.look.error_range = error_range(large.look.error, judged(spec));
+    return large;
+}
+
 } // namespace
 
 std::vector<Judged> judged(const PictureSpec &spec) {
@@ -124,82 +204,35 @@ double pane_aspect(const PictureSpec &spec) {
     const float em = text_height(spec);
     const auto part = [&](bool there, float lines) { return there ? static_cast<int>(lines * em) : 0; };
     const Layout l = layout(
-        spec, {part(spec.legend, 5.9f), part(spec.labels, 3.4f), part(noted_curve(spec) != nullptr || !spec.caption.empty(), 3.6f),
+        spec, {part(spec.legend, 5.9f), part(spec.labels, 3.4f), part(noted_curve(spec) != nullptr || !spec.caption.empty() || !spec.price.empty(), 3.6f),
                inset_width(spec, Fonts{nullptr, nullptr, em})});
     return l.views.empty() ? 1 : l.views.front().aspect();
 }
 
-Image draw_picture(const PictureSpec &spec) {
+Image draw_picture(const PictureSpec &spec, int tile_side) {
     const gl::BoundFramebuffer before;
     std::vector<const Snapshot *> snapshots;
     for (const PicturePane &pane : spec.panes)
         snapshots.push_back(pane.snapshot.get());
-    Look look = spec.look;
-    if (!look.range)
-        look.range = common_range(snapshots);
-    if (look.shading == Shading::error && !look.error_range)
-        look.error_range = error_range(look.error, judged(spec));
+    const PictureSpec large = enlarged(spec, snapshots);
+    Overlay overlay(large.width, large.height, text_height(large));
+    const Layout l = layout(large, measure(large, overlay.fonts(), snapshots));
+    draw_words(overlay.list(), overlay.fonts(), large, l, snapshots);
 
-    const gl::Framebuffer canvas(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 4);
-    const gl::Framebuffer picture(spec.width, spec.height, gl::Framebuffer::Colour::srgb8, 1);
-    Overlay overlay(spec.width, spec.height, text_height(spec));
-    const TextSizes sizes = measure(spec, overlay.fonts(), snapshots);
-    const Layout l = layout(spec, sizes);
+    std::vector<std::unique_ptr<PaneRenderer>> renderers;
+    for (const PicturePane &pane : large.panes) {
+        renderers.push_back(std::make_unique<PaneRenderer>());
+        renderers.back()->upload(pane.snapshot, pane.errors);
+    }
     const PixelScale scale{overlay.fonts().size / 15.0};
-
-    canvas.bind();
-    const glm::vec4 background = background_colour(look.theme);
-    glDisable(GL_SCISSOR_TEST);
-    glClearColor(background.r, background.g, background.b, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    PaneRenderer renderer;
-    for (std::size_t i = 0; i < spec.panes.size(); ++i) {
-        renderer.upload(spec.panes[i].snapshot, spec.panes[i].errors);
-        renderer.draw(spec.camera, look, l.views[i], spec.height, scale);
-    }
-    picture.resolve(canvas);
-
-    const auto corner = [](const PixelRect &r) { return ImVec2(static_cast<float>(r.x), static_cast<float>(r.y)); };
-    ImDrawList &list = overlay.list();
-    const float em = overlay.fonts().size;
-    const bool same_footnote = spec.legend && have_same_footnote(spec);
-    if (spec.labels)
-        for (std::size_t i = 0; i < spec.panes.size(); ++i) {
-            PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag, shown_errors(spec, spec.panes[i]));
-            const ImVec2 low = corner(l.cells[i]);
-            const ImVec2 high(low.x + static_cast<float>(l.cells[i].width), low.y + static_cast<float>(l.cells[i].height));
-            if (!same_footnote) { // else it is said once, with the legend
-                const float width = 0.9f * overlay.fonts().text->CalcTextSizeA(em, 1e9f, 0, label.footnote.c_str()).x;
-                draw_footnote(list, overlay.fonts(), {high.x - width - 0.6f * em, high.y - 1.5f * em}, label, look.theme);
-            }
-            label.footnote.clear();
-            draw_pane_label(list, overlay.fonts(), low, high, label, look.theme);
-        }
-    if (spec.profile)
-        for (const PixelRect &view : l.views)
-            draw_profile_mark(list, overlay.fonts(), corner(view),
-                              {static_cast<float>(view.x + view.width), static_cast<float>(view.y + view.height)},
-                              spec.camera, *spec.profile);
-    if (spec.keyhole) {
-        for (const PixelRect &view : l.views)
-            draw_keyhole_point(list, overlay.fonts(), corner(view),
-                               {static_cast<float>(view.x + view.width), static_cast<float>(view.y + view.height)},
-                               spec.camera, *spec.keyhole);
-        draw_keyhole_inset(list, overlay.fonts(), corner(l.inset), *spec.keyhole, *snapshots.front(), look.theme);
-    }
-    draw_note(&list, overlay.fonts(), spec, static_cast<float>(l.note.y + l.note.height));
-    if (spec.legend) {
-        const ImVec2 at = corner(l.legend);
-        const float bar_width = 0.34f * static_cast<float>(spec.width);
-        const float below = draw_colour_legend_lying(list, overlay.fonts(), {at.x + em, at.y + 0.4f * em}, bar_width, look, *look.range).y;
-        if (same_footnote && !spec.panes.empty())
-            draw_footnote(list, overlay.fonts(), {at.x + em, at.y + 0.6f * em + below}, pane_label(*snapshots.front()), look.theme);
-        draw_line_legend(list, overlay.fonts(), {at.x + 0.43f * static_cast<float>(spec.width), at.y + 0.4f * em},
-                         0.55f * static_cast<float>(spec.width), look, snapshots);
-    }
-    overlay.draw();
-    picture.bind();
-    Image image = read_pixels(0, 0, spec.width, spec.height);
+    const glm::vec4 background = large.look.transparent ? glm::vec4(0) : background_colour(large.look.theme);
+    Image image = draw_in_tiles(
+        {spec.width, spec.height, spec.supersample, tile_side, large.look.transparent, background},
+        [&](const PixelRect &tile) {
+            for (std::size_t i = 0; i < renderers.size(); ++i)
+                renderers[i]->draw(large.camera, large.look, l.views[i], large.height, scale, tile);
+        },
+        [&](const PixelRect &tile) { overlay.draw(tile); });
     if (gl::context_is_lost())
         throw Unavailable("the graphics driver has lost what the picture was drawn with; try again");
     return image;

@@ -31,9 +31,12 @@ struct PictureSpec {
     Look look;          ///< without a range: common_range() of all panes; without one of errors: error_range() of all
     std::shared_ptr<const Keyhole> keyhole; ///< drawn at the right, its point in all panes; null: none
     std::optional<ProfileLine> profile;     ///< drawn in all panes; none: no line
+    std::string price;   ///< what two panes took, below the caption; empty: none
     std::string caption; ///< a sentence below the panes, where no curve is in the limelight; empty: none
     double text = 0;    ///< text height [pixels]; 0: from the picture's size
     bool labels = true, legend = true;
+    /// Drawn so many times larger and averaged, 1 to 4. Lines and text keep their size in the picture.
+    int supersample = 1;
 };
 
 /// Aspect (width / height) of one pane of such a picture, for fitting the camera.
@@ -42,8 +45,13 @@ double pane_aspect(const PictureSpec &spec);
 /// What its panes show, for error_range().
 std::vector<Judged> judged(const PictureSpec &spec);
 
-/// Draws in the current context into a framebuffer of its own and reads it back; leaves the bound framebuffer and the
-/// ImGui context as they were.
-Image draw_picture(const PictureSpec &spec);
+/// Larger pictures than the driver's framebuffers are drawn in tiles of at most this side [pixels].
+inline constexpr int largest_tile = 2048;
+
+/// Draws in the current context into framebuffers of its own and reads them back; leaves the bound framebuffer and the
+/// ImGui context as they were. Supersampling averages light, not sRGB: mean of a tile's samples after decoding (IEC
+/// 61966-2-1). With a transparent look the image has alpha, and labels stand on plates of the theme's background, to be
+/// read on anything; over that background it is the picture that is not transparent. tests/golden/tiles_test.cpp
+Image draw_picture(const PictureSpec &spec, int tile_side = largest_tile);
 
 } // namespace penumbra

@@ -11,9 +11,11 @@ double tone(double x) {
     return x < shoulder ? std::max(x, 0.0) : 1 - (1 - shoulder) * std::exp((shoulder - x) / (1 - shoulder));
 }
 
+} // namespace
+
 double srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
 
-} // namespace
+double linear_of_srgb(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
 
 glm::dvec3 cividis(double t) {
     t = std::clamp(t, 0.0, 1.0);

@@ -7,6 +7,10 @@
 
 namespace penumbra {
 
+/// Light in [0, 1] as sRGB in [0, 1] (IEC 61966-2-1), and the reverse.
+double srgb(double light);
+double linear_of_srgb(double value);
+
 /// Cividis (Nunez, Anderton & Renslow 2018) at t in [0, 1], sRGB.
 glm::dvec3 cividis(double t);
 

@@ -1,16 +1,15 @@
 #include "window/take_picture.h"
 
 #include "capture.h"
-#include "files/picture_state.h"
 #include "files/pictures_folder.h"
 #include "files/state_text.h"
 #include "files/write_state.h"
-#include "render/picture.h"
-#include "truth_verbs.h"
-#include "verbs.h"
+#include "picture_verbs.h"
+#include "window/picture_shot.h"
+
+#include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <string>
 #include <utility>
@@ -19,62 +18,71 @@ namespace penumbra {
 
 namespace {
 
-constexpr double slide_width = 1920; ///< pixels that a picture of the panes has at least
-
-PictureSpec panes_spec(const AppState &state, int width, int height) {
-    PictureSpec spec;
-    const double scale = std::max(1.0, slide_width / width);
-    spec.width = static_cast<int>(std::lround(scale * width));
-    spec.height = static_cast<int>(std::lround(scale * height));
-    spec.columns = state.layout == Layout::single ? 1 : 2;
-    const std::vector<Strategy> shown = state.shown();
-    for (int pane = 0; pane < n_panes(state.layout); ++pane)
-        spec.panes.push_back({state.shown_snapshot(pane),
-                              std::string("(") + letter(shown[static_cast<std::size_t>(pane)]) + ")",
-                              errors_of(state, pane)});
-    spec.camera = state.camera;
-    spec.look = state.look;
-    spec.look.emphasise_fresh = false;
-    if (state.keyhole.open)
-        spec.keyhole = state.keyhole.seen;
-    if (state.profile.open)
-        spec.profile = state.profile.line;
-    spec.look.spotlight.curve = state.pinned_curve.value_or(-1);
-    spec.legend = !state.legend_hidden;
-    spec.caption = state.caption;
-    return spec;
-}
-
 bool all_known(const AppState &state) {
     return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.snapshot(s) != nullptr; });
+}
+
+void save(AppState &state, const std::filesystem::path &file, const Image &image, const SavedState &saved) {
+    write_png(file, image, state_text(saved));
+    state.last_picture = file.string();
+    state.message = {"Saved " + file.string(), false};
+}
+
+void copy_command(AppState &state, int width, int height) {
+    state.pictures.command = command_of(shot_of_panes(state, "", width, height), *state.scene);
+    ImGui::SetClipboardText(state.pictures.command.c_str());
+    state.message = {"Copied: " + state.pictures.command, false};
 }
 
 } // namespace
 
 void take_picture(AppState &state, PictureRequest request, int width, int height) {
-    if (request == PictureRequest::panes && !all_known(state)) {
+    if (request != PictureRequest::window && !all_known(state)) {
         state.message = {"There is nothing to take a picture of yet.", false};
         return;
     }
     try {
+        if (request == PictureRequest::command) {
+            copy_command(state, width, height);
+            return;
+        }
         const std::string given = std::exchange(state.picture_file, {});
         const std::filesystem::path file = given.empty() ? numbered_name(pictures_folder(), "penumbra") : std::filesystem::path(given);
-        SavedState saved = saved_state(state, file.parent_path());
-        Image image;
         if (request == PictureRequest::panes) {
-            const PictureSpec spec = panes_spec(state, width, height);
-            image = draw_picture(spec);
-            saved.picture = saved_picture(spec);
-            saved.look.emphasise_fresh = spec.look.emphasise_fresh;
+            const PictureShot shot = shot_of_panes(state, file.parent_path(), width, height);
+            save(state, file, draw_picture(shot.spec), shot.saved);
         } else {
-            image = read_pixels(0, 0, width, height);
+            save(state, file, read_pixels(0, 0, width, height), saved_state(state, file.parent_path()));
         }
-        write_png(file, image, state_text(saved));
-        state.last_picture = file.string();
-        state.message = {"Saved " + file.string(), false};
     } catch (const std::exception &e) {
         state.message = {e.what(), true};
     }
+}
+
+bool take_pending_picture(AppState &state, int width, int height) {
+    auto &pending = state.pictures.pending;
+    if (pending.empty())
+        return false;
+    const PendingPicture picture = pending.front();
+    const Readiness now = readiness(state, picture);
+    if (now == Readiness::waiting)
+        return false;
+    if (now == Readiness::hopeless) {
+        drop_pictures(state);
+        return true;
+    }
+    try {
+        const auto file = picture.file.empty() ? numbered_name(pictures_folder(), "penumbra") : picture.file;
+        const PictureShot shot = shot_of(state, picture, file.parent_path(), width, height);
+        save(state, file, draw_picture(shot.spec), shot.saved);
+        pending.pop_front();
+        if (pending.empty() && !picture.file.empty())
+            state.message = {"Saved all steps in " + file.parent_path().string(), false};
+    } catch (const std::exception &e) {
+        pending.clear();
+        state.message = {e.what(), true};
+    }
+    return true;
 }
 
 } // namespace penumbra

@@ -46,8 +46,7 @@ AppState first_state(const ViewerSetup &setup) {
     state.bundled_scenes = setup.bundled_scenes;
     state.scene = setup.file.scene;
     state.objects.original = setup.file.original ? setup.file.original : setup.file.scene;
-    if (setup.file.state)
-        state.objects.moves = setup.file.state->moves;
+    state.objects.moves = setup.file.moves;
     state.inert = setup.inert;
     state.pane_sets[0].strategies[0] = setup.options.strategy;
     if (setup.file.state)
@@ -355,6 +354,7 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     draw_caption(state_, arrangement.panes);
     draw_error(state_, arrangement.panes);
     draw_open_dialog(state_);
+    draw_picture_settings(state_);
     draw_help(state_);
     draw_palette(state_);
     if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive())
@@ -363,12 +363,12 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
 
 void Viewer::take_pictures() {
     const auto request = std::exchange(state_.picture_request, std::nullopt);
-    if (!request)
-        return;
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
-    take_picture(state_, *request, width, height);
-    frames_owed_ = frames_to_settle;
+    if (request)
+        take_picture(state_, *request, width, height);
+    if (take_pending_picture(state_, width, height) || request)
+        frames_owed_ = frames_to_settle;
 }
 
 void Viewer::write_state() {

@@ -27,7 +27,7 @@ void expect_sound_state(const SavedState &s) {
     expect(!s.look.range || s.look.range->low < s.look.range->high, "range", s.scene);
     expect(s.look.curve_filter.source >= -1 && s.look.spotlight.curve >= -1, "curves", s.scene);
     expect(!s.picture || (s.picture->width >= 64 && s.picture->width <= 16384 && s.picture->height >= 64 &&
-                          s.picture->height <= 16384),
+                          s.picture->height <= 16384 && s.picture->supersample >= 1 && s.picture->supersample <= 4),
            "picture", s.scene);
     for (const std::string &note : s.notes)
         expect_one_line(note);

@@ -37,6 +37,19 @@ TEST(Capture, PngBringsBackPixelsAndState) {
     EXPECT_EQ(read_png_state(path), std::nullopt);
 }
 
+TEST(Capture, AlphaComesBack) {
+    const auto path = folder() / "a.png";
+    Image image = gradient();
+    for (int i = 0; i < 37 * 21; ++i)
+        image.alpha.push_back(static_cast<std::uint8_t>(i));
+    write_png(path, image);
+    const Image back = read_png(path);
+    EXPECT_EQ(back.rgb, image.rgb);
+    EXPECT_EQ(back.alpha, image.alpha);
+    write_png(path, gradient());
+    EXPECT_TRUE(read_png(path).alpha.empty());
+}
+
 TEST(Capture, WhatIsNoPngIsBadInput) {
     const auto path = folder() / "a.png";
     EXPECT_THROW(read_png(path), BadInput) << "missing";

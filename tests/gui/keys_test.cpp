@@ -29,6 +29,9 @@ const std::map<std::string, Expected> &expectations() {
         {"edit.palette", {"/palette", true, {}}},
         {"file.state", {"/saved", nullptr, {}}},
         {"file.picture", {"/picture", nullptr, {}}},
+        {"file.compare_picture", {"/picture", nullptr, {}}},
+        {"file.sequence", {"/picture", nullptr, {}}},
+        {"file.copy_command", {"/pictures/command", nullptr, {}}},
         {"file.window_picture", {"/picture", nullptr, {}}},
         {"solve.play", {"/playing", true, {"solve.reset"}}},
         {"solve.step", {"/position", 3, {"solve.reset"}}},
@@ -146,9 +149,10 @@ Json at(const Json &state, const std::string &place) {
 
 TEST(Keys, EveryActionIsTested) {
     for (const Action &action : actions()) {
-        // These: below, in effects_test.cpp, shelf_test.cpp, objects_test.cpp and bookmarks_test.cpp.
+        // These: below, in effects_test.cpp, shelf_test.cpp, objects_test.cpp, bookmarks_test.cpp and picture_test.cpp.
         const bool own_test = action.id == "file.quit" || action.id == "effects.by_scene" || action.id == "check.stop" || action.id == "edit.put_back" ||
-                              action.id == "view.next_bookmark" || action.id == "view.previous_bookmark";
+                              action.id == "view.next_bookmark" || action.id == "view.previous_bookmark" ||
+                              action.id == "file.picture_settings";
         EXPECT_NE(own_test, expectations().contains(std::string(action.id))) << action.id << " has no test, or two";
         EXPECT_GT(action.help.size(), 10u) << action.id;
     }

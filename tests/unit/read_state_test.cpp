@@ -59,7 +59,8 @@ SavedState unusual() {
     s.legend = false;
     s.keyhole = Vec3(0.5, -0.45, 1e-300);
     s.profile = std::pair(Vec3(0.1, -2, 1e7), Vec3(1.0 / 3, 4, 5));
-    s.picture = SavedPicture{1000, 777, true, true};
+    s.picture = SavedPicture{1000, 777, true, true, false, 3};
+    s.look.transparent = true;
     return s;
 }
 

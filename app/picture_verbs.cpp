@@ -1,0 +1,143 @@
+#include "picture_verbs.h"
+
+#include "core/error.h"
+#include "files/pictures_folder.h"
+#include "iteration/error_map.h"
+#include "verbs.h"
+
+#include "capture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+
+namespace penumbra {
+
+namespace {
+
+bool is_there(const AppState &state, Strategy strategy, int position) {
+    return state.timeline(strategy).reached(position) && state.timeline(strategy).at(position);
+}
+
+/// Begun anew: what was cancelled or halted before does not hold it up.
+void begin(AppState &state, std::deque<PendingPicture> pictures) {
+    state.playing = false;
+    state.truth.halted = false;
+    state.pictures.pending = std::move(pictures);
+}
+
+} // namespace
+
+void compare_meshings(AppState &state) {
+    const bool constant = is_constant(state.active_strategy());
+    begin(state, {{.run = state.run,
+                   .strategies = {strategy_of(false, constant), strategy_of(true, constant)},
+                   .reconstructed = {false, false},
+                   .position = state.shown_position(),
+                   .file = {},
+                   .title = "Picture of both meshings"}});
+}
+
+void picture_all_steps(AppState &state) {
+    const int last = state.shown_position(), n = iteration_of(last) + 1;
+    const auto digits = static_cast<int>(std::to_string(n - 1).size());
+    std::filesystem::path folder;
+    try {
+        folder = numbered_name(pictures_folder(), "penumbra-steps", "");
+        std::filesystem::create_directory(folder);
+    } catch (const std::exception &e) {
+        state.message = {e.what(), true};
+        return;
+    }
+    PendingPicture picture{.run = state.run, .strategies = state.shown(), .reconstructed = {}, .file = {}, .title = {}};
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        picture.reconstructed.push_back(state.reconstructs(pane));
+    std::deque<PendingPicture> all;
+    for (int step = 0; step < n; ++step) {
+        picture.position = std::min(step_position(step), last);
+        picture.file = folder / fmt::format("step-{:0{}}.png", step, digits);
+        picture.title = fmt::format("Picture {} of {}", step + 1, n);
+        all.push_back(picture);
+    }
+    begin(state, std::move(all));
+}
+
+void drop_pictures(AppState &state) {
+    const std::size_t n = state.pictures.pending.size();
+    state.pictures.pending.clear();
+    state.cancel_request |= state.halted; // else the solver's goal is again what is shown
+    state.message = {n == 1 ? "No picture was taken." : fmt::format("{} pictures were not taken.", n), false};
+}
+
+std::shared_ptr<const Snapshot> pictured(const AppState &state, const PendingPicture &picture, std::size_t pane) {
+    const Strategy strategy = picture.strategies[pane];
+    if (!is_there(state, strategy, picture.position))
+        return nullptr;
+    auto solution = state.timeline(strategy).at(picture.position);
+    if (!picture.reconstructed[pane])
+        return solution;
+    const auto found = state.reconstructions.find(solution->version);
+    return found == state.reconstructions.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<const ErrorMap> pictured_errors(const AppState &state, const Snapshot &snapshot) {
+    const auto found = state.truth.maps.find(snapshot.version);
+    return found == state.truth.maps.end() || found->second->change != state.look.change ? nullptr : found->second;
+}
+
+Readiness readiness(const AppState &state, const PendingPicture &picture) {
+    if (picture.run != state.run)
+        return Readiness::hopeless;
+    for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane) {
+        const Timeline &timeline = state.timeline(picture.strategies[pane]);
+        if (timeline.ended && timeline.moments.empty())
+            return Readiness::hopeless;
+        const auto snapshot = pictured(state, picture, pane);
+        if (!snapshot || (state.look.shading == Shading::error && !pictured_errors(state, *snapshot)))
+            return Readiness::waiting;
+    }
+    return Readiness::ready;
+}
+
+std::optional<Goal> picture_goal(const AppState &state) {
+    if (state.pictures.pending.empty() || !state.scene)
+        return std::nullopt;
+    const PendingPicture &picture = state.pictures.pending.front();
+    Goal goal{picture.run, state.scene, state.options, picture.strategies, picture.position};
+    bool wanted = false;
+    for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane) {
+        wanted |= !pictured(state, picture, pane);
+        if (picture.reconstructed[pane])
+            goal.reconstructed.push_back(picture.strategies[pane]);
+    }
+    return wanted && picture.run == state.run ? std::optional(std::move(goal)) : std::nullopt;
+}
+
+std::vector<std::shared_ptr<const Snapshot>> to_be_judged(const AppState &state) {
+    std::vector<std::shared_ptr<const Snapshot>> all;
+    if (state.pictures.pending.empty() || state.look.shading != Shading::error)
+        return all;
+    const PendingPicture &picture = state.pictures.pending.front();
+    for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane)
+        if (auto snapshot = pictured(state, picture, pane);
+            snapshot && !pictured_errors(state, *snapshot) && std::ranges::find(all, snapshot) == all.end())
+            all.push_back(std::move(snapshot));
+    return all;
+}
+
+std::string picture_progress(const AppState &state) {
+    if (state.pictures.pending.empty())
+        return {};
+    const PendingPicture &picture = state.pictures.pending.front();
+    for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane)
+        if (const Strategy strategy = picture.strategies[pane]; !is_there(state, strategy, picture.position))
+            return fmt::format("{}: ({}) is being solved up to step {} first; it has come to step {}. Esc gives it up.",
+                               picture.title, letter(strategy), iteration_of(picture.position),
+                               iteration_of(std::max(0, state.timeline(strategy).last())));
+    return picture.title + (readiness(state, picture) == Readiness::waiting ? ": its errors are being measured first. "
+                                                                            : "; ") +
+           "Esc stops.";
+}
+
+} // namespace penumbra

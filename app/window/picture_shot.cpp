@@ -1,0 +1,120 @@
+#include "window/picture_shot.h"
+
+#include "files/picture_state.h"
+#include "files/render_command.h"
+#include "files/state_text.h"
+#include "picture_verbs.h"
+#include "truth_verbs.h"
+#include "verbs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra {
+
+namespace {
+
+constexpr double slide_width = 1920; ///< pixels that a picture of the panes has at least
+
+void set_size(PictureSpec &spec, const PictureSettings &settings, int width, int height) {
+    const double scale = std::max(1.0, slide_width / width);
+    const PixelSize chosen = pixels_of(settings.size);
+    spec.width = chosen.width > 0 ? chosen.width : static_cast<int>(std::lround(scale * width));
+    spec.height = chosen.width > 0 ? chosen.height : static_cast<int>(std::lround(scale * height));
+}
+
+/// So high that its panes have this aspect.
+void fit_height(PictureSpec &spec, double aspect) {
+    double low = 0.1 * spec.width, high = 4.0 * spec.width;
+    for (int i = 0; i < 20; ++i) {
+        spec.height = static_cast<int>(std::lround(0.5 * (low + high)));
+        (pane_aspect(spec) > aspect ? low : high) = spec.height;
+    }
+}
+
+/// All but the panes.
+PictureSpec common_spec(const AppState &state, int width, int height) {
+    PictureSpec spec;
+    const PictureSettings &settings = state.pictures.settings;
+    set_size(spec, settings, width, height);
+    spec.supersample = settings.supersample;
+    spec.labels = settings.labels;
+    spec.camera = state.camera;
+    spec.look = state.look;
+    spec.look.emphasise_fresh = false;
+    spec.look.transparent = settings.transparent;
+    if (state.keyhole.open)
+        spec.keyhole = state.keyhole.seen;
+    if (state.profile.open)
+        spec.profile = state.profile.line;
+    spec.look.spotlight.curve = state.pinned_curve.value_or(-1);
+    spec.legend = !state.legend_hidden;
+    spec.caption = state.caption;
+    return spec;
+}
+
+std::string tag_of(Strategy strategy) { return std::string("(") + letter(strategy) + ")"; }
+
+PictureShot finished(PictureSpec spec, const AppState &state, const std::filesystem::path &folder) {
+    SavedState saved = saved_state(state, folder);
+    saved.picture = saved_picture(spec);
+    saved.camera = spec.camera;
+    saved.look.emphasise_fresh = spec.look.emphasise_fresh;
+    saved.look.transparent = spec.look.transparent;
+    return {std::move(spec), std::move(saved)};
+}
+
+} // namespace
+
+PictureShot shot_of_panes(const AppState &state, const std::filesystem::path &folder, int width, int height) {
+    PictureSpec spec = common_spec(state, width, height);
+    spec.columns = state.layout == Layout::single ? 1 : 2;
+    const std::vector<Strategy> shown = state.shown();
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        spec.panes.push_back({state.shown_snapshot(pane), tag_of(shown[static_cast<std::size_t>(pane)]),
+                              errors_of(state, pane)});
+    if (state.pictures.settings.size != PictureSize::panes)
+        spec.camera = hold_width(spec.camera, state.pane_aspect, pane_aspect(spec));
+    return finished(std::move(spec), state, folder);
+}
+
+PictureShot shot_of(const AppState &state, const PendingPicture &picture, const std::filesystem::path &folder, int width,
+                    int height) {
+    PictureSpec spec = common_spec(state, width, height);
+    spec.columns = picture.strategies.size() == 1 ? 1 : 2;
+    for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane) {
+        const auto snapshot = pictured(state, picture, pane);
+        spec.panes.push_back({snapshot, tag_of(picture.strategies[pane]), pictured_errors(state, *snapshot)});
+    }
+    if (picture.strategies != state.shown() && state.pictures.settings.size == PictureSize::panes)
+        fit_height(spec, state.pane_aspect);
+    if (picture.strategies != state.shown() || state.pictures.settings.size != PictureSize::panes)
+        spec.camera = hold_width(spec.camera, state.pane_aspect, pane_aspect(spec));
+
+    PictureShot shot = finished(std::move(spec), state, folder);
+    shot.saved.strategies = picture.strategies;
+    shot.saved.reconstructed = picture.reconstructed;
+    const auto active = std::ranges::find(picture.strategies, state.active_strategy());
+    shot.saved.active = active == picture.strategies.end() ? 0 : static_cast<int>(active - picture.strategies.begin());
+    shot.saved.options.strategy = picture.strategies[static_cast<std::size_t>(shot.saved.active)];
+    shot.saved.position = picture.position;
+    shot.saved.converged = std::ranges::all_of(
+        shot.spec.panes, [](const PicturePane &pane) { return pane.snapshot->counters.converged; });
+    return shot;
+}
+
+std::string command_of(const PictureShot &shot, const Scene &scene) {
+    SavedState saved = shot.saved;
+    if (!scene.file.empty())
+        saved.file = std::filesystem::absolute(scene.file).lexically_normal().generic_string();
+    std::vector<const Snapshot *> snapshots;
+    for (const PicturePane &pane : shot.spec.panes)
+        snapshots.push_back(pane.snapshot.get());
+    if (saved.look.range == common_range(snapshots))
+        saved.look.range.reset();
+    if (saved.look.shading == Shading::error && saved.look.error_range == error_range(saved.look.error, judged(shot.spec)))
+        saved.look.error_range.reset();
+    return render_command(saved);
+}
+
+} // namespace penumbra
