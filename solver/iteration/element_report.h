@@ -46,7 +46,7 @@ struct LinkReport {
 /// What is asked: the leaf of a surface that holds a point, and one of the surfaces that light it.
 struct ElementQuestion {
     int surface = 0;
-    Vec3 point;                ///< scene's own frame
+    Vec3 point = Vec3::Zero();                ///< scene's own frame
     std::optional<int> source; ///< whose links are X-rayed
     XrayLine line = XrayLine::centre;
 
