@@ -25,6 +25,19 @@ PixelRect overlap(const PixelRect &a, const PixelRect &b) {
 
 namespace {
 
+/// The rectangle, or as much of it about the part as the driver's largest viewport holds. Not the part alone: Mesa
+/// interpolates what is `noperspective` wrongly at a viewport's corners, and lines would have gaps there.
+PixelRect viewport_about(const PixelRect &part, const PixelRect &rect) {
+    GLint most[2] = {0, 0};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, most);
+    const auto from = [](int low, int size, int part_low, int part_size, int limit) {
+        return size <= limit ? low : std::clamp(part_low + (part_size - limit) / 2, low, low + size - limit);
+    };
+    return {from(rect.x, rect.width, part.x, part.width, most[0]),
+            from(rect.y, rect.height, part.y, part.height, most[1]), std::min(rect.width, static_cast<int>(most[0])),
+            std::min(rect.height, static_cast<int>(most[1]))};
+}
+
 /// From the frame of a rectangle to the frame of a part of it: [-1, 1] is that part.
 glm::dmat4 onto(const PixelRect &rect, const PixelRect &seen) {
     const glm::dvec2 scale(static_cast<double>(rect.width) / seen.width, static_cast<double>(rect.height) / seen.height);
@@ -78,8 +91,8 @@ struct PaneRenderer::Parts {
             errors.draw(frame, gpu, false);
     }
 
-    /// Of what is seen of the rectangle.
-    Frame frame(const Camera &camera, const Look &look, const PixelRect &rect, const PixelRect &seen,
+    /// Of this viewport on the rectangle.
+    Frame frame(const Camera &camera, const Look &look, const PixelRect &rect, const PixelRect &viewport,
                 PixelScale pixel_scale) const {
         const auto to_unit = [&](const glm::dvec3 &x) { return (x - gpu.centre) / gpu.size; };
         const Camera unit{to_unit(camera.eye), to_unit(camera.target), camera.up, camera.fov_y};
@@ -87,9 +100,9 @@ struct PaneRenderer::Parts {
         Frame frame;
         frame.view = view_matrix(unit);
         const glm::dmat4 projection = projection_matrix(unit, rect.aspect(), box);
-        frame.projection = onto(rect, seen) * projection;
+        frame.projection = onto(rect, viewport) * projection;
         frame.eye = unit.eye;
-        frame.viewport = {seen.width, seen.height};
+        frame.viewport = {viewport.width, viewport.height};
         frame.near = static_cast<float>(projection[3][2] / (projection[2][2] - 1));
         frame.pixel = static_cast<float>(2 * std::tan(glm::radians(camera.fov_y) / 2) *
                                          glm::distance(unit.eye, unit.target) / rect.height);
@@ -159,7 +172,10 @@ void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect 
          look.transparent ? glm::vec4(0) : background_colour(look.theme));
     if (parts_->snapshot) {
         parts_->follow(look);
-        Frame frame = parts_->frame(camera, look, rect, seen, pixel_scale);
+        const PixelRect viewport = viewport_about(seen, rect);
+        glViewport(viewport.x - corner.x, corner.y + corner.height - viewport.y - viewport.height, viewport.width,
+                   viewport.height);
+        Frame frame = parts_->frame(camera, look, rect, viewport, pixel_scale);
         frame.origin = {corner.x, framebuffer_height - corner.y - corner.height};
         const GpuSnapshot &gpu = parts_->gpu;
         glBindVertexArray(parts_->no_attributes.name());

@@ -19,7 +19,6 @@ namespace {
 
 /// Where things lie [pixels, y down].
 struct Layout {
-    float text = 15;
     std::vector<PixelRect> cells; ///< of the panes with their labels
     std::vector<PixelRect> views; ///< of the drawing below the label
     PixelRect inset, note, legend;
@@ -117,18 +116,10 @@ ImVec2 corner(const PixelRect &r) { return {static_cast<float>(r.x), static_cast
 ImVec2 far_corner(const PixelRect &r) { return {static_cast<float>(r.x + r.width), static_cast<float>(r.y + r.height)}; }
 
 /// Behind words over a clear background: they are read on whatever will be there.
-void draw_plates(ImDrawList &list, const PictureSpec &spec, const Layout &l) {
+void draw_plate(ImDrawList &list, const PictureSpec &spec, const ImVec2 &low, const ImVec2 &high) {
     const glm::vec4 c = background_colour(spec.look.theme);
-    const ImU32 colour = ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 0.85f});
-    const auto plate = [&](const ImVec2 &low, const ImVec2 &high) {
-        if (high.x > low.x && high.y > low.y)
-            list.AddRectFilled(low, high, colour, 0.4f * l.text);
-    };
-    for (std::size_t i = 0; i < l.cells.size(); ++i) {
-        const PixelRect &cell = l.cells[i], &view = l.views[i];
-        plate(corner(cell), {static_cast<float>(cell.x + cell.width), static_cast<float>(view.y)});
-    }
-    plate(corner(l.legend), far_corner(l.legend));
+    if (spec.look.transparent && high.x > low.x && high.y > low.y)
+        list.AddRectFilled(low, high, ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 0.85f}), 0.4f * text_height(spec));
 }
 
 void draw_labels(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l, bool same_footnote) {
@@ -138,9 +129,12 @@ void draw_labels(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, 
         const ImVec2 low = corner(l.cells[i]), high = far_corner(l.cells[i]);
         if (!same_footnote) { // else it is said once, with the legend
             const float width = 0.9f * fonts.text->CalcTextSizeA(em, 1e9f, 0, label.footnote.c_str()).x;
-            draw_footnote(list, fonts, {high.x - width - 0.6f * em, high.y - 1.5f * em}, label, spec.look.theme);
+            const ImVec2 at(high.x - width - 0.6f * em, high.y - 1.5f * em);
+            draw_plate(list, spec, {at.x - 0.4f * em, at.y - 0.2f * em}, {high.x - 0.2f * em, at.y + 1.3f * em});
+            draw_footnote(list, fonts, at, label, spec.look.theme);
         }
         label.footnote.clear();
+        draw_plate(list, spec, low, {high.x, corner(l.views[i]).y});
         draw_pane_label(list, fonts, low, high, label, spec.look.theme);
     }
 }
@@ -149,6 +143,7 @@ void draw_legend(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, 
                  const std::vector<const Snapshot *> &snapshots) {
     const float em = fonts.size, width = static_cast<float>(spec.width);
     const ImVec2 at = corner(l.legend);
+    draw_plate(list, spec, at, far_corner(l.legend));
     const float below =
         draw_colour_legend_lying(list, fonts, {at.x + em, at.y + 0.4f * em}, 0.34f * width, spec.look, *spec.look.range).y;
     if (same_footnote && !spec.panes.empty())
@@ -160,8 +155,6 @@ void draw_legend(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, 
 void draw_words(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l,
                 const std::vector<const Snapshot *> &snapshots) {
     const bool same_footnote = spec.legend && have_same_footnote(spec);
-    if (spec.look.transparent)
-        draw_plates(list, spec, l);
     if (spec.labels)
         draw_labels(list, fonts, spec, l, same_footnote);
     for (const PixelRect &view : l.views) {

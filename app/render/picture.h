@@ -51,7 +51,7 @@ inline constexpr int largest_tile = 2048;
 /// Draws in the current context into framebuffers of its own and reads them back; leaves the bound framebuffer and the
 /// ImGui context as they were. Supersampling averages light, not sRGB: mean of a tile's samples after decoding (IEC
 /// 61966-2-1). With a transparent look the image has alpha, and labels stand on plates of the theme's background, to be
-/// read on anything; over that background it is the picture that is not transparent. tests/golden/tiles_test.cpp
+/// read on anything; over that background it is the picture that is not transparent, but for what a plate covers. tests/golden/tiles_test.cpp
 Image draw_picture(const PictureSpec &spec, int tile_side = largest_tile);
 
 } // namespace penumbra

@@ -58,11 +58,11 @@ TEST(Tiles, APictureInTilesIsThePicture) {
         for (const int tile : {64, 150}) {
             const Image tiled = draw_picture(spec, tile);
             ASSERT_EQ(tiled.rgb.size(), whole.rgb.size());
-            EXPECT_GE(ssim(tiled, whole), 0.9999) << tile;
+            EXPECT_GE(ssim(tiled, whole), 0.99999) << tile;
             const Difference d = difference(tiled, whole, tile);
             const double n = static_cast<double>(whole.rgb.size()), seams = 4.0 / tile;
             EXPECT_LT(static_cast<double>(d.n), 2e-3 * n) << tile;
-            EXPECT_LE(d.largest, 64) << tile;
+            EXPECT_LE(d.largest, 8) << tile;
             EXPECT_LT(static_cast<double>(d.at_seams), 2e-3 * n * seams + 30) << tile;
             RecordProperty("bytes", static_cast<int>(d.n));
             RecordProperty("largest", d.largest);
@@ -103,6 +103,33 @@ TEST(Tiles, ASideOfEightThousandPixels) {
         }
     EXPECT_GT(drawn, 500);
     EXPECT_GT(alike, pane_width * 96 * 0.995);
+}
+
+/// More samples to a side than the largest viewport has pixels: nowhere does what is drawn move.
+TEST(Tiles, MoreSamplesThanAViewportHolds) {
+    const Offscreen context;
+    PictureSpec spec = rich(8192, 96);
+    spec.panes.resize(1);
+    spec.columns = 1;
+    spec.labels = spec.legend = false;
+    spec.look.layers.links = false;
+    spec.camera = fit(default_view(*spec.panes[0].snapshot, 1), *spec.panes[0].snapshot, pane_aspect(spec));
+    spec.camera.fov_y = 0.5; // a strip of the floor, from side to side
+    const Image plain = draw_picture(spec);
+    spec.supersample = 3;
+    const Image smooth = draw_picture(spec);
+    int drawn = 0;
+    for (int x0 = 0; x0 < 8192; x0 += 256) {
+        double off = 0;
+        for (int y = 0; y < 96; ++y)
+            for (int x = 3 * x0; x < 3 * (x0 + 256); ++x) {
+                const auto i = static_cast<std::size_t>(3 * y * 8192 + x);
+                off += std::abs(plain.rgb[i] - smooth.rgb[i]);
+                drawn += plain.rgb[i] > 60;
+            }
+        EXPECT_LT(off / (96 * 256 * 3), 4) << "from column " << x0;
+    }
+    EXPECT_GT(drawn, 8192 * 96);
 }
 
 double light(double byte) {
@@ -150,7 +177,7 @@ TEST(Supersampling, KeepsTheSizeOfWordsAndLines) {
     spec.supersample = 2;
     const Image smooth = draw_picture(spec);
     ASSERT_EQ(plain.width, smooth.width);
-    EXPECT_GT(ssim(plain, smooth), 0.9);
+    EXPECT_GT(ssim(plain, smooth), 0.8);
     EXPECT_LT(ssim(plain, smooth), 0.9999);
 }
 
@@ -161,6 +188,7 @@ TEST(Transparent, OverTheBackgroundItIsTheOpaquePicture) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         PictureSpec spec = rich();
         spec.look.theme = theme;
+        spec.panes[1].snapshot = spec.panes[0].snapshot; // else footnotes stand in the panes, on plates over what is drawn
         const Image opaque = draw_picture(spec);
         EXPECT_TRUE(opaque.alpha.empty());
         spec.look.transparent = true;
