@@ -2,15 +2,19 @@
 
 #include "bookmark_verbs.h"
 #include "effect_verbs.h"
+#include "files/settings.h"
 #include "history.h"
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
 #include "move_verbs.h"
 #include "picture_verbs.h"
 #include "presets.h"
+#include "orphan_verbs.h"
+#include "paper_lines.h"
 #include "profile_verbs.h"
 #include "render/error_scale.h"
 #include "shelf_verbs.h"
+#include "tour.h"
 #include "truth_verbs.h"
 #include "verbs.h"
 
@@ -148,12 +152,14 @@ void cancel(State &s) {
         s.cancel_request = true;
         s.halted = true;
         s.playing = false;
+    } else if (s.tour.open) {
+        s.tour.open = false;
     } else {
         s.message = {};
     }
 }
 
-void scale(State &s, double factor) { s.ui_scale = std::clamp(s.ui_scale * factor, 0.5, 4.0); }
+void scale(State &s, double factor) { s.ui_scale = std::clamp(s.ui_scale * factor, smallest_ui_scale, largest_ui_scale); }
 
 void reset(State &s) {
     s.playing = false;
@@ -180,8 +186,14 @@ constexpr int next_phase(int p) { return p + 1; }
 constexpr int previous_phase(int p) { return p - 1; }
 constexpr int to_the_end(int) { return far_ahead; }
 
+std::vector<Action> with_paper_lines(std::vector<Action> all) {
+    for (Action &action : all)
+        action.paper = paper_line(action.id);
+    return all;
+}
+
 const std::vector<Action> &list() {
-    static const std::vector<Action> all{
+    static const std::vector<Action> all = with_paper_lines({
         {"file.open", Menu::file, "Open…",
          "Opens a scene, a saved state or a picture; a file may also be dropped on the window.", {"Ctrl+O"},
          [](State &s) { s.open_dialog = !s.open_dialog; }},
@@ -203,6 +215,10 @@ const std::vector<Action> &list() {
         {"file.copy_command", Menu::file, "Copy as command",
          "Copies the 'penumbra render' line that makes the picture which Save picture would save.", {"Ctrl+Shift+C"},
          [](State &s) { s.picture_request = PictureRequest::command; }, has_solution},
+        {"file.restore", Menu::file, "Restore what was shown", "Opens what a window showed that ended unexpectedly.", {},
+         restore_orphan, has_orphan, nullptr, true},
+        {"file.discard", Menu::file, "Discard what was shown",
+         "Deletes what was kept of a window that ended unexpectedly.", {}, discard_orphan, has_orphan, nullptr, true},
         {"file.quit", Menu::file, "Quit", "Closes the window.", {"Ctrl+Q"}, [](State &s) { s.quit_request = true; }},
 
         {"edit.undo", Menu::edit, "Undo", "Takes back the last change of a parameter or of the view.", {"Ctrl+Z"}, undo, can_undo},
@@ -328,7 +344,7 @@ const std::vector<Action> &list() {
          [](State &s) { s.panels_hidden = !s.panels_hidden; }, nullptr,
          [](const State &s) { return s.panels_hidden; }},
         {"view.theme", Menu::view, "Light background", "For projectors and print.", {"Shift+B"},
-         [](State &s) { s.look.theme = s.look.theme == Theme::dark ? Theme::light : Theme::dark; }, nullptr,
+         [](State &s) { s.look.theme = s.chosen_theme = s.look.theme == Theme::dark ? Theme::light : Theme::dark; }, nullptr,
          [](const State &s) { return s.look.theme == Theme::light; }},
         {"view.larger", Menu::view, "Larger text", "Scales the whole interface up.", {"Ctrl++", "Ctrl+="},
          [](State &s) { scale(s, 1.125); }},
@@ -378,7 +394,9 @@ const std::vector<Action> &list() {
 
         {"help.keys", Menu::help, "Keys and mouse", "Everything that the window answers to.", {"?", "F1"},
          [](State &s) { s.help_open = !s.help_open; }, nullptr, [](const State &s) { return s.help_open; }},
-    };
+        {"help.tour", Menu::help, "Tour", "Six cards on what there is to see; each can show it.", {"Shift+F1"}, toggle_tour,
+         nullptr, [](const State &s) { return s.tour.open; }},
+    });
     return all;
 }
 
@@ -406,6 +424,8 @@ const Action *action_on_key(std::string_view key) {
 bool is_enabled(const Action &action, const AppState &state) { return !action.enabled || action.enabled(state); }
 
 bool is_checked(const Action &action, const AppState &state) { return action.checked && action.checked(state); }
+
+bool is_offered(const Action &action, const AppState &state) { return !action.passing || is_enabled(action, state); }
 
 bool run(const Action &action, AppState &state) {
     if (state.inert || !is_enabled(action, state))

@@ -4,6 +4,7 @@
 #include "app_state.h"
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Action {
     void (*run)(AppState &) = nullptr;
     bool (*enabled)(const AppState &) = nullptr; ///< null: always
     bool (*checked)(const AppState &) = nullptr; ///< null: it is no toggle
+    bool passing = false; ///< left out of menus and palette while it is disabled
+    std::string paper = {}; ///< symbol and equation; see paper_lines.h. Empty: there is none
 };
 
 /// In the order of the menus.
@@ -31,6 +34,8 @@ const Action *action_on_key(std::string_view key);
 
 bool is_enabled(const Action &action, const AppState &state);
 bool is_checked(const Action &action, const AppState &state);
+/// Whether menus and palette have it now.
+bool is_offered(const Action &action, const AppState &state);
 /// Does it, if it is enabled. Returns whether it was.
 bool run(const Action &action, AppState &state);
 

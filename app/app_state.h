@@ -185,6 +185,18 @@ struct PaletteMode {
     int chosen = 0; ///< of palette_entries()
 };
 
+/// The cards of the first start; see tour.h.
+struct TourMode {
+    bool open = false;
+    int card = 0;
+};
+
+/// What the mouse tells about the control that it rests on.
+struct Told {
+    std::string control; ///< its name in `widgets`; empty: it rests on none
+    std::string title, sentence, paper;
+};
+
 /// A script that is played; see script.h.
 struct ScriptMode {
     bool playing = false;
@@ -255,6 +267,9 @@ struct AppState {
     std::vector<SavedState> bookmarks; ///< see bookmark_verbs.h
     int bookmark = -1;                 ///< that was gone to last
     std::optional<SavedState> to_restore; ///< as soon as its scene is open
+    TourMode tour;
+    Told told; ///< in the last frame
+    std::string marked; ///< control that was drawn last
     std::string caption; ///< a sentence below the panes, in the window and in pictures; empty: none
     History history;
     std::string open_path; ///< in the dialog
@@ -262,11 +277,17 @@ struct AppState {
     double ui_scale = 1;
     Message message;
 
+    // Kept from one start to the next; see window/keeper.h.
+    Theme chosen_theme = Theme::dark; ///< by the user; that of a state or a script is look.theme alone
+    bool tour_seen = false;
+    std::vector<std::string> recent_files; ///< absolute, the latest first; some may have gone
+    std::vector<std::string> orphans; ///< autosaves of windows that ended unexpectedly, the latest first; the first is offered
+
     // Asked of the window; it does them and takes them back.
     std::optional<std::string> open_request; ///< bundled name or file
     std::optional<PictureRequest> picture_request;
     std::string picture_file; ///< for that picture; empty: a numbered one in the folder of pictures
-    bool state_request = false;
+    bool state_request = false, discard_request = false;
     std::optional<std::string> copy_request; ///< text for the clipboard
     bool paste_request = false;              ///< of a view from the clipboard
     bool cancel_request = false, quit_request = false;

@@ -1,6 +1,7 @@
 #include "palette.h"
 
 #include "action.h"
+#include "files/recent_files.h"
 
 #include <algorithm>
 #include <cctype>
@@ -33,8 +34,13 @@ int rank(const std::string &word, const std::string &title, const std::string &r
 std::vector<PaletteEntry> all_entries(const AppState &state) {
     std::vector<PaletteEntry> all;
     for (const Action &a : actions())
-        all.push_back({std::string(a.title), std::string(a.help), a.keys.empty() ? "" : std::string(a.keys.front()), &a, {},
-                       is_enabled(a, state)});
+        if (is_offered(a, state))
+            all.push_back({std::string(a.title), std::string(a.help), a.keys.empty() ? "" : std::string(a.keys.front()), &a,
+                           {}, is_enabled(a, state)});
+    for (const std::string &file : that_exist(state.recent_files)) {
+        const std::filesystem::path path(file);
+        all.push_back({"Open " + path.filename().string(), path.parent_path().string(), {}, nullptr, file});
+    }
     for (const std::string &name : state.bundled_scenes)
         all.push_back({"Open " + name, "A bundled scene.", {}, nullptr, name});
     return all;

@@ -234,7 +234,7 @@ void SolveWorker::reconstruct(const Task &task) {
 
 void SolveWorker::read(const std::string &name) {
     try {
-        report(Opened{read_file_(name)});
+        report(Opened{read_file_(name), name});
     } catch (const std::exception &e) {
         report(Refused{e.what()});
     }

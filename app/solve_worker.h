@@ -47,6 +47,7 @@ struct Goal {
 
 struct Opened { ///< a file was read
     OpenedFile file;
+    std::string name = {}; ///< that was asked for; empty: it came from no file
 };
 struct Refused { ///< a file could not be read; one line
     std::string sentence;

@@ -29,6 +29,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, ViewerSetup setup, cons
     setup.read_file = [up](const std::string &name) { return open_file(name, up); };
     // Read here and not in the window, so that a bad file ends the program with its line and status.
     setup.file = open_file(solving.scene, up, solving.moves);
+    setup.file_name = solving.scene;
     if (auto &state = setup.file.state) {
         solving.options = state->options;
         say_again(parser);

@@ -16,6 +16,7 @@ std::filesystem::path folder(const char *variable, const char *in_home) {
 } // namespace
 
 std::filesystem::path state_folder() { return folder("XDG_STATE_HOME", ".local/state"); }
+std::filesystem::path config_folder() { return folder("XDG_CONFIG_HOME", ".config"); }
 std::filesystem::path cache_folder() { return folder("XDG_CACHE_HOME", ".cache"); }
 
 } // namespace penumbra

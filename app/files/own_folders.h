@@ -9,6 +9,9 @@ namespace penumbra {
 /// specification asks.
 std::filesystem::path state_folder();
 
+/// What a user has chosen: $XDG_CONFIG_HOME/penumbra, else $HOME/.config/penumbra, by the same rule.
+std::filesystem::path config_folder();
+
 /// What can be made again: $XDG_CACHE_HOME/penumbra, else $HOME/.cache/penumbra, by the same rule.
 std::filesystem::path cache_folder();
 

@@ -232,6 +232,10 @@ std::string observed_state_text(const AppState &s) {
     j["palette"] = s.palette.open;
     j["script"] = {{"playing", s.script.playing}, {"line", s.script.line}};
     j["caption"] = s.caption;
+    j["tour"] = {{"open", s.tour.open}, {"card", s.tour.card}};
+    j["told"] = {{"control", s.told.control}, {"title", s.told.title}, {"sentence", s.told.sentence}, {"paper", s.told.paper}};
+    j["recent"] = s.recent_files;
+    j["offered"] = s.orphans.empty() ? Json() : Json(s.orphans.front());
     j["found"] = s.palette.open && !s.palette.typed.empty() ? found(s) : Json();
     j["changes"] = {{"past", s.history.past.size()}, {"future", s.history.future.size()}};
     j["panels_hidden"] = s.panels_hidden;

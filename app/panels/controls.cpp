@@ -1,6 +1,7 @@
 #include "panels/controls.h"
 
 #include "core/check.h"
+#include "paper_lines.h"
 
 #include <algorithm>
 
@@ -15,7 +16,8 @@ const Action &known(std::string_view id) {
 }
 
 void tooltip_of(const Action &action) {
-    tooltip(std::string(action.title), action.help, action.keys.empty() ? std::string_view{} : action.keys.front());
+    tooltip(std::string(action.title), action.help, action.keys.empty() ? std::string_view{} : action.keys.front(),
+            action.paper);
 }
 
 void push_on_colours(bool on) {
@@ -77,19 +79,28 @@ float em(float n) { return n * ImGui::GetFontSize(); }
 void mark(AppState &state, std::string_view name) {
     const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
     state.widgets[std::string(name)] = {low.x, low.y, size.x, size.y};
+    state.marked = name;
 }
 
-void tooltip(const std::string &title, std::string_view sentence, std::string_view key) {
+void note_told(const std::string &title, std::string_view sentence, const std::string &paper) {
+    AppState &state = *static_cast<AppState *>(ImGui::GetIO().UserData);
+    state.told = {state.marked, title, std::string(sentence), paper};
+}
+
+void tooltip(const std::string &title, std::string_view sentence, std::string_view key, const std::string &paper) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
+    note_told(title, sentence, paper);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(em(22));
-    ImGui::TextUnformatted(title.c_str());
+    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", title.c_str());
     if (!key.empty()) {
         ImGui::SameLine();
         ImGui::TextDisabled("%.*s", static_cast<int>(key.size()), key.data());
     }
-    ImGui::TextDisabled("%.*s", static_cast<int>(sentence.size()), sentence.data());
+    ImGui::TextUnformatted(sentence.data(), sentence.data() + sentence.size());
+    if (!paper.empty())
+        ImGui::TextDisabled("%s", paper.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -144,7 +155,7 @@ bool choice(AppState &state, std::string_view name, const char *text, bool on, c
     const bool clicked = ImGui::Button((std::string(text) + "##" + std::string(name)).c_str(), size);
     pop_on_colours(on);
     mark(state, name);
-    tooltip(text, sentence);
+    tooltip(text, sentence, {}, paper_line(name));
     return clicked;
 }
 
@@ -165,8 +176,11 @@ void figure(const char *name, const std::string &value, const char *sentence) {
     ImGui::SetCursorPosX(at);
     ImGui::TextUnformatted(value.c_str());
     ImGui::EndGroup();
-    if (sentence)
-        tooltip(name, sentence);
+    if (!sentence)
+        return;
+    const std::string control = std::string("figure ") + name;
+    mark(*static_cast<AppState *>(ImGui::GetIO().UserData), control);
+    tooltip(name, sentence, {}, paper_line(control));
 }
 
 void field_label(const char *text) {

@@ -29,12 +29,14 @@ bool choice(AppState &state, std::string_view name, const char *text, bool on, c
 
 /// A small heading, with space above.
 void heading(const char *text);
-/// "patches        262": name on the left, value on the right of the present width.
+/// "patches        262": name on the left, value on the right of the present width. Marked as "figure NAME".
 void figure(const char *name, const std::string &value, const char *tooltip = nullptr);
 /// A name on the left; the next item takes the rest of the line.
 void field_label(const char *text);
-/// What the mouse tells about the last item, after a moment's rest.
-void tooltip(const std::string &title, std::string_view sentence, std::string_view key = {});
+/// What the mouse tells about the last item: title and key, a plain sentence, and what the paper calls it (paper_lines.h).
+void tooltip(const std::string &title, std::string_view sentence, std::string_view key = {}, const std::string &paper = {});
+/// Notes that the last item, which is hovered, tells this in a tooltip of its own.
+void note_told(const std::string &title, std::string_view sentence, const std::string &paper = {});
 
 /// Text heights; every distance is a multiple.
 float em(float n = 1);

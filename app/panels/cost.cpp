@@ -47,6 +47,7 @@ void draw_measure_choice(AppState &state) {
 /// All figures of a point.
 void tell_point(const PricedState &s, bool earlier) {
     const Counters &c = s.counters;
+    note_told(strategy_label(s.options.strategy, s.options.order), sentence(CostMeasure::seconds));
     ImGui::BeginTooltip();
     ImGui::TextUnformatted((strategy_label(s.options.strategy, s.options.order) +
                             (s.options.basis == BasisFamily::planar ? ", polygons" : ""))
@@ -121,7 +122,11 @@ void draw_cost_plot(AppState &state, const std::vector<LiveRun> &runs, const Fon
     if (!ImGui::IsItemHovered())
         return;
     const ImVec2 mouse = ImGui::GetMousePos();
-    if (const PlacedMark *near = mark_near(placed, {mouse.x, mouse.y}, em(0.7f))) {
+    const PlacedMark *near = mark_near(placed, {mouse.x, mouse.y}, em(0.7f));
+    if (!near)
+        tooltip("Error against " + std::string(title(state.cost_measure)),
+                "A point for each pane and step. Rest the mouse on one for its figures; a click goes back to it.");
+    else {
         const Found f = find(runs, *near);
         tell_point(*f.state, f.run->earlier);
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))

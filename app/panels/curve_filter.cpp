@@ -63,11 +63,13 @@ void draw_sources(AppState &state, const Snapshot &snapshot) {
     const bool open = ImGui::BeginCombo("##source", chosen < 0 ? "all" : surface_name(snapshot, chosen).c_str());
     if (!open) {
         mark(state, "curve source");
+        tooltip("Source", "Only the curves that this light or reflector throws.");
         return;
     }
     if (ImGui::Selectable("all", chosen < 0))
         chosen = -1;
     mark(state, "curve source all");
+    tooltip("All sources", "The curves of every light and reflector.");
     for (const int source : sources) {
         ImGui::PushID(source);
         if (ImGui::Selectable((surface_name(snapshot, source) + " (" + std::to_string(source) + ")").c_str(),
@@ -75,6 +77,7 @@ void draw_sources(AppState &state, const Snapshot &snapshot) {
             chosen = source;
         ImGui::PopID();
         mark(state, "curve source " + std::to_string(source));
+        tooltip(surface_name(snapshot, source), "Only the curves that it throws.");
     }
     ImGui::EndCombo();
 }

@@ -4,6 +4,7 @@
 #include "panels/controls.h"
 #include "panels/panels.h"
 #include "panels/words.h"
+#include "paper_lines.h"
 
 #include <algorithm>
 #include <optional>
@@ -98,7 +99,7 @@ void draw_entry(AppState &state, const LedgerEntry &entry, Asked &asked) {
     ImGui::TextUnformatted(words_of.title);
     ImGui::EndGroup();
     mark(state, "effect " + id);
-    tooltip(words_of.title, words_of.what);
+    tooltip(words_of.title, words_of.what, {}, paper_line("effect " + id));
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", as_sentence(entry.reason).c_str());
     if (const std::string spared = spared_words(entry); !spared.empty())

@@ -59,6 +59,7 @@ ImVec4 badge_colour(CaseStatus status) {
 }
 
 void tell_verdict(const ShelfCase &c, const CaseVerdict &v, const char *basis) {
+    note_told(badge_words(v), c.what + ".");
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(em(30));
     ImGui::TextUnformatted((c.what + ".").c_str());
@@ -139,6 +140,7 @@ void draw_head(AppState &state) {
                        ok + failed > 0 || shelf.checking ? progress.c_str() : "");
     ImGui::PopStyleColor();
     mark(state, "check progress");
+    tooltip("Checked", "Cases that were solved and measured, in both bases.");
     ImGui::PushTextWrapPos(0);
     if (ok + failed == 0)
         ImGui::TextDisabled(

@@ -1,5 +1,6 @@
 // The filters between an element and the pieces it was split into.
 #include "microscope_verbs.h"
+#include "paper_lines.h"
 #include "panels/controls.h"
 #include "panels/filter_words.h"
 #include "panels/matrix_map.h"
@@ -25,6 +26,7 @@ void explain(const MapWords &words) {
 void tell(const MapWords &words) {
     if (!ImGui::IsItemHovered())
         return;
+    note_told(words.title, words.sentence, std::string(words.symbol) + "   (" + words.equation + ")");
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(em(24));
     explain(words);
@@ -42,6 +44,7 @@ void tell_cell(AppState &state, const SplitFilters &f, const MapWords &words, co
     const double value = matrix(cell.row, cell.column);
     state.microscope.reading = std::string(words.name) + " " + std::to_string(cell.row) + " " +
                                std::to_string(cell.column) + " " + number_words(value);
+    note_told(power_words(value, 6), words.sentence, std::string(words.symbol) + "   (" + words.equation + ")");
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(em(24));
     ImGui::TextUnformatted(power_words(value, 6).c_str());
@@ -75,6 +78,7 @@ void draw_map(AppState &state, const SplitFilters &f, const MapWords &words, con
     ImGui::SetCursorPosX(left);
     ImGui::BeginGroup();
     ImGui::TextUnformatted(words.title.c_str());
+    mark(state, std::string("about ") + words.name);
     tell(words);
     if (tells_size)
         write_size(range, margin + side);
@@ -129,9 +133,11 @@ void draw_which(AppState &state, const SplitFilters &f) {
     ImGui::SameLine();
     const double share = f.pieces[static_cast<std::size_t>(m.piece)].share;
     ImGui::TextDisabled("C = %s", power_words(share).c_str());
+    mark(state, "share of the child");
     tooltip("C", f.basis == BasisFamily::planar
                      ? "The child's share of its parent's area."
-                     : "The child's share of its parent's parameter square: the mean of A(u\u2032,v\u2032).");
+                     : "The child's share of its parent's parameter square: the mean of A(u\u2032,v\u2032).",
+            {}, paper_line("share of the child"));
 }
 
 void draw_filters(AppState &state, const SplitFilters &f) {

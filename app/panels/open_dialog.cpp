@@ -29,9 +29,11 @@ void draw_open_dialog(AppState &state) {
         ImGui::InputText("##path", state.open_path.data(), longest_path, ImGuiInputTextFlags_EnterReturnsTrue);
     state.open_path.resize(state.open_path.find('\0'));
     mark(state, "open.path");
+    tooltip("Path", "Of an OBJ or glTF file, a saved state or a picture; or a bundled scene's name.");
     ImGui::SameLine();
     const bool clicked = ImGui::Button("Open", {-1, 0});
     mark(state, "open.open");
+    tooltip("Open", "Opens what is named on the left; so does Return.");
     if ((entered || clicked) && !state.open_path.empty()) {
         state.open_request = state.open_path;
         state.open_dialog = false;

@@ -32,7 +32,7 @@ void draw_chip(const char *name, const WindowRect &panes, float at, const char *
 } // namespace
 
 void draw_hint(AppState &state, const WindowRect &panes) {
-    if (state.hint_done || state.message.error || state.keyhole.open || state.pinned_curve)
+    if (state.hint_done || state.tour.open || state.message.error || state.keyhole.open || state.pinned_curve)
         return;
     draw_chip("hint", panes, 0.86f, "Press \u2192 for the first step, Space to play.  ? shows every key.",
               {0.93f, 0.76f, 0.38f, 0.95f}, {0.08f, 0.07f, 0.05f, 1});

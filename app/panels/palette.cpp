@@ -15,7 +15,7 @@ constexpr int lines_shown = 12;
 
 void draw_entry(AppState &state, const PaletteEntry &entry, bool chosen) {
     ImGui::BeginDisabled(!entry.enabled);
-    const bool clicked = ImGui::Selectable(("##" + entry.title).c_str(), chosen);
+    const bool clicked = ImGui::Selectable(("##" + entry.title + entry.help).c_str(), chosen);
     mark(state, "palette." + (entry.action ? std::string(entry.action->id) : entry.file));
     ImGui::SameLine(em(0.3f));
     ImGui::TextUnformatted(entry.title.c_str());

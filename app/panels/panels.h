@@ -39,5 +39,7 @@ void draw_open_dialog(AppState &state);
 void draw_picture_settings(AppState &state);
 void draw_help(AppState &state);
 void draw_palette(AppState &state);
+void draw_tour(AppState &state, const Arrangement &arrangement);  ///< in the lower right corner of the panes
+void draw_offer(AppState &state, const WindowRect &panes);        ///< of what a window showed that ended unexpectedly
 
 } // namespace penumbra

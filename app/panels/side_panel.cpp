@@ -97,7 +97,7 @@ void draw_figures(const AppState &state) {
     figure("links × coefficients", count_words(c.link_coefficients),
            "Transport coefficients of all links: the work of one gather. A patch is not a unit of work: with M = 4 it may take "
            "16 times the effort of a constant one.");
-    figure("splits, of these cuts", count_words(c.splits) + ", " + count_words(c.cuts), "In this iteration.");
+    figure("splits, of these cuts", count_words(c.splits) + ", " + count_words(c.cuts), "Elements that this iteration has split, and how many of them along a curve.");
     figure("kernel evaluations", count_words(c.total_work.kernel_evaluations), "Of all iterations so far.");
     figure("clips", count_words(c.total_work.clips), "Sources clipped by one blocker's shadow, for one point.");
     if (c.nodes_at_limit > 0)
@@ -120,9 +120,10 @@ void draw_cursor(const AppState &state) {
     }
     const Pick &pick = *state.under_cursor;
     const auto &surface = snapshot->surfaces[static_cast<std::size_t>(pick.surface)];
-    figure("surface", surface.name.empty() ? std::to_string(pick.surface) : surface.name);
+    figure("surface", surface.name.empty() ? std::to_string(pick.surface) : surface.name,
+           "Its name in the scene's file, or its number there.");
     if (pick.patch >= 0)
-        figure("patch", count_words(pick.patch));
+        figure("patch", count_words(pick.patch), "Its number among all patches of this step.");
     figure("radiosity", rgb_words(pick.radiosity) + " W/m²", "Red, green, blue; one number where they are equal.");
     if (const auto errors = errors_of(state, state.panes().active);
         errors && pick.patch >= 0 && state.look.shading == Shading::error) {

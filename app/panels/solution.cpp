@@ -2,6 +2,7 @@
 #include "panels/controls.h"
 #include "panels/panels.h"
 #include "panels/words.h"
+#include "paper_lines.h"
 #include "price_verbs.h"
 #include "verbs.h"
 
@@ -46,7 +47,8 @@ bool draw_threshold(AppState &state, Options &options, float &percent) {
     const bool done = share_slider("##threshold", percent, 1e-3f, 50);
     mark(state, "threshold");
     tooltip("Threshold", "Largest misfit that is let pass, as a share of the largest reflected radiosity. "
-                         "Another value starts the solution anew.");
+                         "Another value starts the solution anew.",
+            {}, paper_line("threshold"));
     if (done)
         options.threshold = static_cast<double>(percent) / 100;
     return done;
@@ -58,7 +60,7 @@ bool draw_depth(AppState &state, Options &options, int &depth) {
     ImGui::SliderInt("##depth", &depth, 0, state.options.tolerance ? deepest : 10);
     const bool done = ImGui::IsItemDeactivatedAfterEdit();
     mark(state, "depth");
-    tooltip("Depth limit", "How often the sides of a surface may be halved; the paper allows 6.");
+    tooltip("Depth limit", "How often the sides of a surface may be halved; the paper allows 6.", {}, paper_line("depth"));
     if (done)
         options.max_depth = depth;
     return done;
@@ -118,7 +120,8 @@ bool draw_tolerance(AppState &state, Options &options, float &percent) {
     if (!state.tolerance_in_hand) // it would stand on the price
         tooltip("Tolerance", "Error that the whole solution may have: relative L2 of the reflected radiosity, over all "
                              "reflecting surfaces. Another value starts the solution anew; while the slider moves, its price "
-                             "is told.");
+                             "is told.",
+                {}, paper_line("tolerance"));
     if (done)
         options.tolerance = state.asked_tolerance = value;
     draw_price_tag(state, value);

@@ -24,14 +24,16 @@ void draw_scene_choice(AppState &state) {
     const float needed = ImGui::CalcTextSize(now.c_str()).x + ImGui::GetFrameHeight() + em(1);
     ImGui::SetNextItemWidth(std::clamp(needed, em(11), em(16)));
     const bool open = ImGui::BeginCombo("##scene", now.c_str());
-    if (!open)
+    if (!open) {
         mark(state, "scene");
-    if (!open)
+        tooltip("Scene", "The bundled scenes; Open (Ctrl+O) takes files, too.");
         return;
+    }
     for (const std::string &name : state.bundled_scenes) {
         if (ImGui::Selectable(name.c_str(), state.scene && state.scene->name == name))
             state.open_request = name;
         mark(state, "scene." + name);
+        tooltip(name, "Opens this bundled scene.");
     }
     ImGui::EndCombo();
 }

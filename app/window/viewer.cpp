@@ -67,18 +67,26 @@ Viewer::Viewer(ViewerSetup setup)
               {[this](const std::string &key) { on_key(key); },
                [this](const std::string &file) { state_.open_request = file; }}),
       worker_(setup_.read_file, GlfwWindow::wake), checker_(GlfwWindow::wake), judge_(GlfwWindow::wake) {
+    ImGui::GetIO().UserData = &state_; // for tooltips
+    keeper_.begin(state_, setup_.file.state.has_value(), setup_.script.has_value() || setup_.inert);
+    keeper_.note_opened(state_, setup_.file_name);
     if (setup_.script)
         script_.emplace(std::move(*setup_.script));
 }
 
 ViewerEnd Viewer::run() {
     const EndSignal signal(GlfwWindow::wake);
-    const DisplayEnd display_end([this] { return rescue(); });
+    const DisplayEnd display_end([this] {
+        keeper_.leave_autosave(state_);
+        return rescue();
+    });
     try {
         show_until_closed(signal);
     } catch (const Unavailable &e) {
+        keeper_.leave_autosave(state_);
         throw Unavailable(e.what() + ("; " + rescue()));
     }
+    keeper_.end(state_);
     return signal.seen() == 0 ? ViewerEnd{} : ViewerEnd{signal.seen(), rescue()};
 }
 
@@ -142,6 +150,8 @@ void Viewer::take_reports() {
         if (std::holds_alternative<Stopped>(report) && cancelled_at_)
             state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
         apply(state_, report);
+        if (const auto *opened = std::get_if<Opened>(&report))
+            keeper_.note_opened(state_, opened->name);
         if (std::holds_alternative<Stopped>(report) && std::exchange(over_memory_limit_, false))
             state_.message = {fmt::format("The memory limit of {:g} MiB stopped the solver; this is the last complete state.",
                                           *setup_.memory_limit),
@@ -176,6 +186,8 @@ void Viewer::serve_requests() {
         save_state(state_);
         frames_owed_ = frames_to_settle;
     }
+    if (std::exchange(state_.discard_request, false))
+        keeper_.discard(state_);
     if (std::exchange(state_.cancel_request, false)) {
         cancelled_at_ = Clock::now();
         worker_.cancel();
@@ -212,6 +224,10 @@ double Viewer::wait_time() {
     double wait = advance_play(state_, Clock::now());
     serve_requests();
     if (played != state_.playing)
+        frames_owed_ = frames_to_settle;
+    const std::string said = state_.message.text;
+    wait = sooner(wait, keeper_.keep(state_, Clock::now()));
+    if (said != state_.message.text)
         frames_owed_ = frames_to_settle;
     if (state_.busy)
         wait = sooner(wait, 0.1); // its clock runs
@@ -307,7 +323,9 @@ void Viewer::update_fonts() {
 void Viewer::draw_frame() {
     update_fonts();
     window_.begin_frame();
+    keeper_.note_frame();
     state_.widgets.clear();
+    state_.told = {};
     if (!state_.panels_hidden)
         draw_menu_bar(state_);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -353,6 +371,8 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     draw_hint(state_, arrangement.panes);
     draw_caption(state_, arrangement.panes);
     draw_error(state_, arrangement.panes);
+    draw_tour(state_, arrangement);
+    draw_offer(state_, arrangement.panes);
     draw_open_dialog(state_);
     draw_picture_settings(state_);
     draw_help(state_);

@@ -9,6 +9,7 @@
 #include "solve_worker.h"
 #include "truth_worker.h"
 #include "window/glfw_window.h"
+#include "window/keeper.h"
 #include "window/pane_canvas.h"
 
 #include <filesystem>
@@ -21,6 +22,7 @@ namespace penumbra {
 
 struct ViewerSetup {
     OpenedFile file;                         ///< shown first
+    std::string file_name;                   ///< that it was asked for by
     std::vector<std::string> bundled_scenes; ///< names offered
     Options options;
     SolveWorker::ReadFile read_file;
@@ -77,6 +79,7 @@ private:
     CheckWorker checker_;
     TruthWorker judge_;
     std::optional<Goal> aimed_;
+    Keeper keeper_;
     TruthGoal judging_; ///< that the judge was told of
     std::optional<Clock::time_point> cancelled_at_;
     bool over_memory_limit_ = false; ///< that is why the worker was cancelled

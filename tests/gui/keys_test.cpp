@@ -96,6 +96,7 @@ const std::map<std::string, Expected> &expectations() {
         {"layers.false_colour", {"/false_colour", true, {}}},
         {"layers.legend", {"/layers/legend", false, {}}},
         {"help.keys", {"/help", true, {}}},
+        {"help.tour", {"/tour/open", true, {}}},
     };
     return all;
 }
@@ -104,7 +105,7 @@ const std::map<std::string, Expected> &expectations() {
 const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme", "view.keyhole",
                                      "view.inspector", "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.objects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
-                                     "layers.false_colour", "layers.legend", "help.keys"};
+                                     "layers.false_colour", "layers.legend", "help.keys", "help.tour"};
 
 /// The registry's words in xdotool's.
 std::string xdotool_key(std::string key) {
@@ -149,10 +150,10 @@ Json at(const Json &state, const std::string &place) {
 
 TEST(Keys, EveryActionIsTested) {
     for (const Action &action : actions()) {
-        // These: below, in effects_test.cpp, shelf_test.cpp, objects_test.cpp, bookmarks_test.cpp and picture_test.cpp.
+        // These: below, in effects_test.cpp, shelf_test.cpp, objects_test.cpp, bookmarks_test.cpp picture_test.cpp and keeping_test.cpp.
         const bool own_test = action.id == "file.quit" || action.id == "effects.by_scene" || action.id == "check.stop" || action.id == "edit.put_back" ||
                               action.id == "view.next_bookmark" || action.id == "view.previous_bookmark" ||
-                              action.id == "file.picture_settings";
+                              action.id == "file.picture_settings" || action.id == "file.restore" || action.id == "file.discard";
         EXPECT_NE(own_test, expectations().contains(std::string(action.id))) << action.id << " has no test, or two";
         EXPECT_GT(action.help.size(), 10u) << action.id;
     }

@@ -27,7 +27,8 @@ std::string line_of(const std::string &log) {
     return log.substr(at, log.find('\n', at) - at);
 }
 
-void expect_rescued(const Session &session, int position) {
+/// `offered`: the next start asks whether to restore it, as nobody has wished for this end.
+void expect_rescued(Session &session, int position, bool offered) {
     ASSERT_TRUE(std::filesystem::exists(rescued(session)));
     EXPECT_NE(line_of(session.log()).find("what it showed is kept: penumbra view " + rescued(session).string()),
               std::string::npos)
@@ -35,8 +36,10 @@ void expect_rescued(const Session &session, int position) {
     const OpenedFile opened = open_file(rescued(session).string());
     EXPECT_EQ(opened.scene->name, "slanted-edge");
     EXPECT_EQ(opened.state->position, position);
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(rescued(session).parent_path()), {}), 1)
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(rescued(session).parent_path()), {}), offered ? 2 : 1)
         << "and no part";
+    const auto autosave = "autosave-" + std::to_string(session.program().id()) + ".penumbra.json";
+    EXPECT_EQ(std::filesystem::exists(rescued(session).parent_path() / autosave), offered);
 }
 
 const std::vector<std::string> scene{"slanted-edge", "--threshold", "0.05"};
@@ -53,7 +56,7 @@ TEST(Rescue, SignalsKeepWhatWasShown) {
         ASSERT_EQ(::kill(session.program().id(), signal), 0);
         EXPECT_EQ(session.program().wait(5), 128 + signal);
         EXPECT_NE(line_of(session.log()).find("interrupted; "), std::string::npos);
-        expect_rescued(session, 3);
+        expect_rescued(session, 3, false);
     }
 }
 
@@ -78,7 +81,7 @@ TEST(Rescue, ALostContextIsStatusFive) {
     EXPECT_EQ(session.program().wait(20), 5);
     EXPECT_NE(line_of(session.log()).find("the graphics driver has lost what the window draws with; "),
               std::string::npos);
-    expect_rescued(session, 3);
+    expect_rescued(session, 3, true);
 }
 
 TEST(Rescue, ADisplayThatGoesIsStatusFive) {
@@ -87,7 +90,7 @@ TEST(Rescue, ADisplayThatGoesIsStatusFive) {
     session.end_display();
     EXPECT_EQ(session.program().wait(20), 5);
     EXPECT_NE(line_of(session.log()).find("the display has gone; "), std::string::npos);
-    expect_rescued(session, 3);
+    expect_rescued(session, 3, true);
 }
 
 TEST(Rescue, WhereNothingCanBeKeptThatIsSaid) {

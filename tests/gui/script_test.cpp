@@ -95,7 +95,11 @@ TEST(Palette, WordsAreFoundWhereTitlesBeginFirst) {
     EXPECT_EQ(first("TABLE"), "Open table");
     EXPECT_EQ(first("gouraud"), "Linear");
     EXPECT_EQ(first("xyzzy"), "");
-    EXPECT_EQ(palette_entries(state, "").size(), actions().size() + 2);
+    // There is nothing to restore, nor to discard.
+    EXPECT_EQ(palette_entries(state, "").size(), actions().size() - 2 + state.bundled_scenes.size());
+    state.orphans = {"/autosave-1.penumbra.json"};
+    EXPECT_EQ(first("restore"), "Restore what was shown");
+    EXPECT_EQ(first("discard"), "Discard what was shown");
 }
 
 TEST(Palette, EnterDoesWhatIsChosen) {

@@ -22,19 +22,40 @@ std::string text_of(const std::filesystem::path &file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+std::filesystem::path temporary_folder() {
+    char name[] = "/tmp/penumbra-session-XXXXXX";
+    if (!::mkdtemp(name))
+        throw std::runtime_error("cannot make a temporary folder");
+    return name;
+}
+
+/// Where there are no settings yet.
+void see_tour(const std::filesystem::path &home) {
+    const auto settings = home / ".config/penumbra/settings.json";
+    if (std::filesystem::exists(settings))
+        return;
+    std::filesystem::create_directories(settings.parent_path());
+    std::ofstream(settings) << R"({"tour_seen": true})";
+}
+
 std::string whole(double x) { return std::to_string(std::lround(x)); }
 
 } // namespace
 
-Session::Session(std::vector<std::string> arguments, int width, int height) {
-    char name[] = "/tmp/penumbra-session-XXXXXX";
-    if (!::mkdtemp(name))
-        throw std::runtime_error("cannot make a temporary folder");
-    root_ = name;
-    home_ = root_ / "home";
+Home::Home() : path_(temporary_folder()) {}
+
+Home::~Home() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+Session::Session(std::vector<std::string> arguments, int width, int height, const Start &start) : root_(temporary_folder()) {
+    home_ = start.home.empty() ? root_ / "home" : start.home;
     work_ = root_ / "work";
     std::filesystem::create_directories(home_);
     std::filesystem::create_directories(work_);
+    if (!start.first)
+        see_tour(home_);
     screen_ = std::make_unique<Screen>(width, height);
     arguments.insert(arguments.begin(), {PENUMBRA_PROGRAM, "view", "--state-file", (root_ / "state.json").string()});
     const Environment environment{{"DISPLAY", screen_->display()},

@@ -22,10 +22,30 @@ struct Point {
     double x = 0, y = 0;
 };
 
+/// What a start finds.
+struct Start {
+    bool first = false;          ///< else the tour has been seen
+    std::filesystem::path home{}; ///< of an earlier session, which stays; empty: a new one
+};
+
+/// A home that outlives its sessions.
+class Home {
+public:
+    Home();
+    ~Home();
+    Home(const Home &) = delete;
+    Home &operator=(const Home &) = delete;
+    const std::filesystem::path &path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
 class Session {
 public:
-    /// Starts the viewer and waits until its first picture is there. HOME and all XDG folders are new and empty.
-    explicit Session(std::vector<std::string> arguments = {}, int width = 1280, int height = 800);
+    /// Starts the viewer and waits until its first picture is there. HOME and all XDG folders are new and empty, but for the
+    /// settings, unless `start` says otherwise.
+    explicit Session(std::vector<std::string> arguments = {}, int width = 1280, int height = 800, const Start &start = {});
     /// Ends it; the test fails when a sanitizer's report stands in the program's log.
     ~Session();
     Session(const Session &) = delete;
