@@ -14,11 +14,13 @@
 #include "profile_verbs.h"
 #include "render/error_scale.h"
 #include "shelf_verbs.h"
+#include "split_verbs.h"
 #include "tour.h"
 #include "truth_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace penumbra {
@@ -151,6 +153,7 @@ void cancel(State &s) {
     } else if (can_cancel(s)) {
         s.cancel_request = true;
         s.halted = true;
+        s.seeking = false;
         s.playing = false;
     } else if (s.tour.open) {
         s.tour.open = false;
@@ -160,6 +163,11 @@ void cancel(State &s) {
 }
 
 void scale(State &s, double factor) { s.ui_scale = std::clamp(s.ui_scale * factor, smallest_ui_scale, largest_ui_scale); }
+
+void hide_panels(State &s) {
+    s.panels_hidden = !s.panels_hidden;
+    s.before_by_mouse = false; // its button is gone
+}
 
 void reset(State &s) {
     s.playing = false;
@@ -192,6 +200,25 @@ std::vector<Action> with_paper_lines(std::vector<Action> all) {
     return all;
 }
 
+template <void move(State &)>
+void pause_and(State &s) {
+    s.playing = false;
+    move(s);
+}
+bool can_go_on_by_splits(const State &s) {
+    return can_go_on(s) || shown_splits(s).value_or(n_splits(s)) < n_splits(s);
+}
+template <int halvings>
+void change_speed(State &s) {
+    set_speed(s, std::ldexp(s.phases_per_second, halvings));
+}
+void toggle_animation(State &s) {
+    s.animates_splits = !s.animates_splits;
+    s.message = {s.animates_splits ? "Playing shows the splits of a refinement one by one."
+                                   : "Playing shows the splits of a refinement all at once.",
+                 false};
+}
+
 const std::vector<Action> &list() {
     static const std::vector<Action> all = with_paper_lines({
         {"file.open", Menu::file, "Open…",
@@ -216,9 +243,9 @@ const std::vector<Action> &list() {
          "Copies the 'penumbra render' line that makes the picture which Save picture would save.", {"Ctrl+Shift+C"},
          [](State &s) { s.picture_request = PictureRequest::command; }, has_solution},
         {"file.restore", Menu::file, "Restore what was shown", "Opens what a window showed that ended unexpectedly.", {},
-         restore_orphan, has_orphan, nullptr, true},
+         restore_orphan, has_orphan, nullptr, nullptr, true},
         {"file.discard", Menu::file, "Discard what was shown",
-         "Deletes what was kept of a window that ended unexpectedly.", {}, discard_orphan, has_orphan, nullptr, true},
+         "Deletes what was kept of a window that ended unexpectedly.", {}, discard_orphan, has_orphan, nullptr, nullptr, true},
         {"file.quit", Menu::file, "Quit", "Closes the window.", {"Ctrl+Q"}, [](State &s) { s.quit_request = true; }},
 
         {"edit.undo", Menu::edit, "Undo", "Takes back the last change of a parameter or of the view.", {"Ctrl+Z"}, undo, can_undo},
@@ -247,6 +274,18 @@ const std::vector<Action> &list() {
          can_go_back},
         {"solve.sub_back", Menu::solve, "Previous phase", "One phase back.", {"Shift+Left"}, go<previous_phase>,
          can_go_back},
+        {"solve.split", Menu::solve, "Next split", "One split alone; where a refinement has no more, the next phase.",
+         {"Ctrl+Right"}, pause_and<next_split>, can_go_on_by_splits},
+        {"solve.split_back", Menu::solve, "Previous split", "One split back; before the first one, one phase.",
+         {"Ctrl+Left"}, pause_and<previous_split>, can_go_back},
+        {"solve.next_cut", Menu::solve, "To the next cut", "Goes on until an element was cut along a discontinuity curve.",
+         {"Ctrl+Shift+Right"}, seek_cut, can_go_on_by_splits},
+        {"solve.animate", Menu::solve, "Animate splits", "Playing shows the splits of each refinement one by one.",
+         {"J"}, toggle_animation, nullptr, [](const State &s) { return s.animates_splits; }},
+        {"solve.slower", Menu::solve, "Slower", "Halves the speed of playing.", {","}, change_speed<-1>,
+         [](const State &s) { return s.phases_per_second > slowest; }},
+        {"solve.faster", Menu::solve, "Faster", "Doubles the speed of playing.", {"."}, change_speed<1>,
+         [](const State &s) { return s.phases_per_second < fastest; }},
         {"solve.reset", Menu::solve, "Reset", "Back to the start.", {"Home"}, reset, can_go_back},
         {"solve.end", Menu::solve, "To the end", "Iterates until nothing changes any more.", {"End"}, go<to_the_end>,
          can_go_on},
@@ -341,11 +380,14 @@ const std::vector<Action> &list() {
         {"view.exposure_0", Menu::view, "Exposure 0 EV", "Exposure back to 0.", {"Ctrl+E"},
          [](State &s) { s.look.exposure_ev = 0; }},
         {"view.panels", Menu::view, "Hide panels", "The scene alone; the same key brings the panels back.", {"F11"},
-         [](State &s) { s.panels_hidden = !s.panels_hidden; }, nullptr,
+         hide_panels, nullptr,
          [](const State &s) { return s.panels_hidden; }},
         {"view.theme", Menu::view, "Light background", "For projectors and print.", {"Shift+B"},
          [](State &s) { s.look.theme = s.chosen_theme = s.look.theme == Theme::dark ? Theme::light : Theme::dark; }, nullptr,
          [](const State &s) { return s.look.theme == Theme::light; }},
+        {"view.before", Menu::view, "Before", "While it is held down, the panes show what was before the last step.",
+         {"B"}, [](State &s) { s.before_by_key = true; }, can_go_back, [](const State &s) { return s.before_by_key; },
+         [](State &s) { s.before_by_key = false; }},
         {"view.larger", Menu::view, "Larger text", "Scales the whole interface up.", {"Ctrl++", "Ctrl+="},
          [](State &s) { scale(s, 1.125); }},
         {"view.smaller", Menu::view, "Smaller text", "Scales the whole interface down.", {"Ctrl+-"},
@@ -421,9 +463,22 @@ const Action *action_on_key(std::string_view key) {
     return nullptr;
 }
 
+void release_key(std::string_view key, AppState &state) {
+    for (const Action &a : list())
+        if (a.release && std::ranges::any_of(a.keys, [&](std::string_view k) { return k.substr(k.rfind('+') + 1) == key; }))
+            a.release(state);
+}
+
 bool is_enabled(const Action &action, const AppState &state) { return !action.enabled || action.enabled(state); }
 
 bool is_checked(const Action &action, const AppState &state) { return action.checked && action.checked(state); }
+
+void choose(const Action &action, AppState &state) {
+    if (action.release && is_checked(action, state))
+        action.release(state);
+    else
+        run(action, state);
+}
 
 bool is_offered(const Action &action, const AppState &state) { return !action.passing || is_enabled(action, state); }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "files/saved_state.h"
+#include "iteration/after_splits.h"
 #include "iteration/element_report.h"
 #include "iteration/split_filters.h"
 #include "measure/keyhole.h"
@@ -220,6 +221,12 @@ struct AppState {
     int position = 0;      ///< asked for, see timeline.h; equal in all panes
     bool playing = false;
     double phases_per_second = 2; ///< of playing
+    std::optional<int> split;     ///< splits of the refinement at `position` that are shown (split_verbs.h); none: all
+    bool animates_splits = true;  ///< while playing
+    bool seeking = false;         ///< goes on until a cut is shown
+    int stepped_from = 0;         ///< position that the last step forward began at
+    bool before_by_key = false, before_by_mouse = false; ///< held down: panes show what was before the last step
+    std::map<std::uint64_t, std::shared_ptr<const Snapshot>> split_snapshots; ///< of the panes that `split` is for
     bool halted = false;   ///< cancelled: nothing is computed until something is asked for again
     std::optional<Busy> busy;
     std::string opening;   ///< scene that is being read; empty: none
@@ -314,15 +321,25 @@ struct AppState {
         const auto &before = objects.shown_before[static_cast<std::size_t>(s)];
         return before && !timeline(s).reached(position) ? before : timeline(s).at(position);
     }
+    /// What panes show: where we stand, or stood before the last step while that is asked for.
+    bool shows_before() const { return before_by_key || before_by_mouse; }
+    Place shown_place() const; // split_verbs.cpp
     bool reconstructs(int pane) const {
         const auto i = static_cast<std::size_t>(pane);
         return panes().reconstructed[i] && is_constant(panes().strategies[i]);
     }
     /// What a pane shows: its strategy's solution, or what was reconstructed from it, if that is wanted and there.
     std::shared_ptr<const Snapshot> shown_snapshot(int pane) const {
-        const auto solution = snapshot(panes().strategies[static_cast<std::size_t>(pane)]);
-        if (!solution || !reconstructs(pane))
+        const Place place = shown_place();
+        const Strategy strategy = panes().strategies[static_cast<std::size_t>(pane)];
+        const auto solution = shows_before() ? timeline(strategy).at(place.position) : snapshot(strategy);
+        if (!solution)
             return solution;
+        if (!reconstructs(pane)) {
+            const int n = place.split ? std::clamp(*place.split, 0, n_events(*solution)) : 0;
+            const auto found = split_snapshots.find(version_after(*solution, n));
+            return found == split_snapshots.end() || !place.split ? solution : found->second;
+        }
         const auto found = reconstructions.find(solution->version);
         return found == reconstructions.end() ? solution : found->second;
     }

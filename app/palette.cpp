@@ -77,7 +77,7 @@ std::vector<PaletteEntry> palette_entries(const AppState &state, std::string_vie
 void choose(AppState &state, const PaletteEntry &entry) {
     state.palette = {};
     if (entry.action)
-        run(*entry.action, state);
+        choose(*entry.action, state);
     else
         state.open_request = entry.file;
 }

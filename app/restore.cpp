@@ -50,6 +50,7 @@ void restore(AppState &state, const SavedState &saved) {
     state.asked_tolerance = saved.options.tolerance.value_or(state.asked_tolerance);
     restore_panes(state, saved);
     state.position = saved.position;
+    state.split = saved.split;
     state.hint_done = state.hint_done || saved.position > 0;
     if (saved.camera)
         state.camera = *saved.camera;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace penumbra {
@@ -37,6 +38,12 @@ constexpr int step_forward(int position) { return (position / phases_per_iterati
 constexpr int step_back(int position) {
     return std::max(0, (position - 1) / phases_per_iteration * phases_per_iteration);
 }
+
+/// A position, and within a refinement the number of its splits that are shown.
+struct Place {
+    int position = 0;
+    std::optional<int> split{}; ///< none: all
+};
 
 /// What one strategy has computed so far.
 struct Timeline {

@@ -7,8 +7,10 @@
 #include "move_verbs.h"
 #include "picture_verbs.h"
 #include "restore.h"
+#include "split_verbs.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <type_traits>
 #include <utility>
 
@@ -43,7 +45,9 @@ std::string end_sentence(const AppState &state) {
 
 /// What just happened in the active pane.
 void tell(AppState &state) {
-    if (const auto snapshot = state.snapshot(state.active_strategy()))
+    if (const auto k = shown_splits(state))
+        show_splits(state, *k);
+    else if (const auto snapshot = state.snapshot(state.active_strategy()))
         state.message = {snapshot->sentence, false};
 }
 
@@ -60,6 +64,10 @@ void start_anew(AppState &state) {
     state.truth.maps.clear();
     state.reconstructions.clear();
     state.truth.halted = false;
+    state.split.reset();
+    state.seeking = false;
+    state.stepped_from = state.position;
+    state.split_snapshots.clear();
 }
 
 void apply(AppState &state, const Opened &opened) {
@@ -116,6 +124,7 @@ void apply(AppState &state, const Reached &reached) {
         state.playing = false;
         state.message = {end_sentence(state), false};
     }
+    go_on_seeking(state);
 }
 
 void apply(AppState &state, const Reconstructed &made) {
@@ -173,6 +182,7 @@ bool at_end(const AppState &state) { return all_ended(state) && state.position >
 
 void go_to(AppState &state, int position) {
     state.halted = false;
+    state.seeking = false;
     state.hint_done = state.hint_done || position > 0;
     if (position > state.position && at_end(state)) {
         state.playing = false;
@@ -180,6 +190,9 @@ void go_to(AppState &state, int position) {
         return;
     }
     position = std::max(0, position);
+    if (position != state.position)
+        state.stepped_from = state.position;
+    state.split.reset();
     state.position = all_ended(state) ? std::min(position, end_position(state)) : position;
     state.fresh_since = Clock::now();
     if (all_reached(state))
@@ -196,11 +209,14 @@ double advance_play(AppState &state, Clock::time_point now) {
     }
     if (!all_reached(state))
         return -1; // the worker's report wakes us
+    if (const auto wait = advance_splits(state, now))
+        return *wait;
     const double shown_for = std::chrono::duration<double>(now - state.fresh_since).count();
     const double wait = 1 / state.phases_per_second - shown_for;
     if (wait > 0)
         return wait;
     go_to(state, state.position + 1);
+    begin_animation(state);
     return all_reached(state) ? 1 / state.phases_per_second : -1;
 }
 
@@ -238,6 +254,13 @@ void replace_scene(AppState &state, std::shared_ptr<const Scene> scene) {
         state.position = far_ahead;
     if (state.keyhole.open && state.keyhole.seen)
         state.keyhole_to_open = state.keyhole.seen->point;
+}
+
+void set_speed(AppState &state, double steps_per_second) {
+    state.phases_per_second = std::clamp(steps_per_second, slowest, fastest);
+    char text[64];
+    std::snprintf(text, sizeof text, "Playing shows %.3g steps a second.", state.phases_per_second);
+    state.message = {text, false};
 }
 
 void set_options(AppState &state, const Options &options) {

@@ -22,6 +22,10 @@ bool at_end(const AppState &state);
 /// should be asked again [s]; negative: no need to.
 double advance_play(AppState &state, Clock::time_point now);
 
+/// Of playing; held between the two [phases or splits a second].
+void set_speed(AppState &state, double steps_per_second);
+inline constexpr double slowest = 0.25, fastest = 60;
+
 /// Throws away what was computed and starts anew with these options; the position asked for stays.
 void set_options(AppState &state, const Options &options);
 /// The same; what had come to its end goes to the end again, which may take more steps.

@@ -13,6 +13,7 @@
 #include "files/open_file.h"
 #include "files/picture_state.h"
 #include "files/write_state.h"
+#include "iteration/after_splits.h"
 #include "iteration/error_map.h"
 #include "measure/keyhole.h"
 #include "render/picture.h"
@@ -48,6 +49,7 @@ struct RenderOptions {
     std::optional<int> steps;    ///< none: to `position`
     std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
     Phase phase = Phase::pushed_pulled; ///< that the last of `steps` stops after
+    std::optional<int> split;    ///< of a saved state: so many of the refinement's splits are shown; none: all
     bool priced = true;          ///< two panes have a sentence on what they took
     std::optional<bool> price_asked; ///< said on the command line
     LookOptions look;
@@ -76,6 +78,7 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
     if (!state.converged)
         options.position = state.position;
     options.look.camera = state.camera;
+    options.split = state.split;
     options.look.width = picture.width;
     options.look.height = picture.height;
     options.look.look = state.look;
@@ -132,6 +135,12 @@ Camera camera_of(const RenderOptions &options, const Scene &scene, const Snapsho
     if (options.look.view)
         seen.view = options.look.view;
     return first_view(seen, snapshot, aspect);
+}
+
+/// As it was to be shown: perhaps with the first splits of a refinement alone.
+std::shared_ptr<const Snapshot> shown(std::shared_ptr<const Snapshot> snapshot, const RenderOptions &options) {
+    const int n = n_events(*snapshot);
+    return options.split && !options.steps && n > 0 ? after_splits(*snapshot, std::min(*options.split, n)) : snapshot;
 }
 
 std::string tag_of(Strategy strategy) { return std::string("(") + "abcd"[static_cast<int>(strategy)] + ")"; }
@@ -288,7 +297,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
             const bool with_error = interrupt.exit_status() == done;
             spec.panes.push_back({pane.as_quadratics
                                       ? solver.reconstruction(*solver.state(), with_error, &interrupt.cancel())
-                                      : solver.snapshot(with_error),
+                                      : shown(solver.snapshot(with_error), options),
                                   pane.lettered ? tag_of(pane.strategy) : ""});
             if (solver.counters().exhausted)
                 out_of_reach = spec.panes.back().snapshot->sentence;

@@ -25,6 +25,8 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
         saved.reconstructed.push_back(snapshot.reconstructed);
         saved.position = std::max(saved.position, position_of(snapshot.counters.iteration, snapshot.phase));
         saved.converged &= snapshot.counters.converged;
+        if (snapshot.n_shown_events > 0)
+            saved.split = std::max(saved.split.value_or(0), static_cast<int>(snapshot.n_shown_events));
     }
     saved.caption = spec.caption;
     saved.camera = spec.camera;

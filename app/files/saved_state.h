@@ -38,6 +38,7 @@ struct SavedState {
     std::vector<bool> reconstructed = {}; ///< by pane: constants are drawn as quadratics; empty: none is
     int active = 0;                                                       ///< pane
     int position = 0;                                                     ///< see timeline.h
+    std::optional<int> split = {}; ///< splits of the refinement there that are shown; none: all
     bool converged = false;                                               ///< every pane stands at its fixed point
     std::optional<Camera> camera = {};                                    ///< none: the scene's first view
     Look look = {};

@@ -6,6 +6,7 @@
 #include "iteration/error_map.h"
 #include "palette.h"
 #include "picture_verbs.h"
+#include "split_verbs.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,7 @@ int shown_position(const AppState &s) {
     int furthest = 0;
     for (const Strategy strategy : s.shown())
         furthest = std::max(furthest, s.timeline(strategy).last());
-    return std::clamp(s.position, 0, furthest);
+    return std::clamp(s.shown_place().position, 0, furthest);
 }
 
 bool all_converged(const AppState &s) {
@@ -57,6 +58,7 @@ Json pane(const AppState &s, int pane) {
         j["direct_error"] = known(snapshot->error);
         j["iteration"] = snapshot->counters.iteration;
         j["phase"] = name(snapshot->phase);
+        j["split"] = snapshot->n_shown_events;
         j["patches"] = snapshot->counters.patches;
         j["coefficients"] = snapshot->counters.coefficients;
         j["links"] = snapshot->counters.links;
@@ -189,6 +191,7 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
         saved.reconstructed.push_back(s.reconstructs(pane));
     saved.active = s.panes().active;
     saved.position = shown_position(s);
+    saved.split = s.shows_before() ? s.shown_place().split : shown_splits(s);
     saved.converged = all_converged(s);
     if (s.camera_is_set)
         saved.camera = s.camera;
@@ -241,6 +244,10 @@ std::string observed_state_text(const AppState &s) {
     j["panels_hidden"] = s.panels_hidden;
     j["ui_scale"] = s.ui_scale;
     j["speed"] = s.phases_per_second;
+    j["splits"] = n_splits(s);
+    j["animates_splits"] = s.animates_splits;
+    j["seeking"] = s.seeking;
+    j["before"] = s.shows_before();
     j["pivot"] = s.pivot ? triple(*s.pivot) : Json();
     j["under_cursor"] = s.under_cursor ? Json{{"surface", s.under_cursor->surface}, {"patch", s.under_cursor->patch}}
                                        : Json();

@@ -23,7 +23,7 @@ Arrangement arrange(const AppState &state, float width, float height, float top,
     Arrangement a;
     WindowRect rest{0, 0, width, height};
     if (!state.panels_hidden) {
-        const float bar = std::round(2.3f * em), transport = std::round(2.8f * em), status = std::round(1.75f * em);
+        const float bar = std::round(2.3f * em), transport = std::round(3.5f * em), status = std::round(1.75f * em);
         const float side = std::min(std::round(16.5f * em), std::floor(0.35f * width));
         a.tool_bar = {0, top, width, bar};
         a.status = {0, height - status, width, status};

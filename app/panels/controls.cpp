@@ -120,6 +120,19 @@ void action_button(AppState &state, std::string_view id, const char *text, ImVec
         run(action, state);
 }
 
+void held_button(AppState &state, std::string_view id, const char *text, bool &held, ImVec2 size) {
+    const Action &action = known(id);
+    const bool on = held;
+    push_on_colours(on);
+    ImGui::BeginDisabled(!is_enabled(action, state));
+    ImGui::Button((std::string(text) + "##" + std::string(id)).c_str(), size);
+    held = ImGui::IsItemActive() && is_enabled(action, state) && !state.inert;
+    ImGui::EndDisabled();
+    pop_on_colours(on);
+    mark(state, id);
+    tooltip_of(action);
+}
+
 void icon_button(AppState &state, std::string_view id, Icon icon, float size) {
     const Action &action = known(id);
     const bool enabled = is_enabled(action, state), on = is_checked(action, state);

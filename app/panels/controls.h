@@ -20,6 +20,8 @@ void mark(AppState &state, std::string_view name);
 /// A button that does the action; grey when it is disabled, filled when it is checked. `text` replaces the title.
 /// Hovering tells title, sentence and key.
 void action_button(AppState &state, std::string_view id, const char *text = nullptr, ImVec2 size = {0, 0});
+/// For an action that lasts as long as its button is held: says in `held` whether it is.
+void held_button(AppState &state, std::string_view id, const char *text, bool &held, ImVec2 size = {0, 0});
 void icon_button(AppState &state, std::string_view id, Icon icon, float size);
 /// A check box for an action that is a toggle.
 void action_check(AppState &state, std::string_view id, const char *text = nullptr);

@@ -20,7 +20,7 @@ void row(std::string_view keys, std::string_view sentence) {
 void begin_block(const char *name) {
     heading(name);
     ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit);
-    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, em(6.5f));
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, em(7.9f));
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
 }
 

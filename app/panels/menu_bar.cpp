@@ -11,7 +11,7 @@ namespace {
 void draw_item(AppState &state, const Action &action) {
     const std::string title(action.title), key(action.keys.empty() ? "" : action.keys.front());
     if (ImGui::MenuItem(title.c_str(), key.c_str(), is_checked(action, state), is_enabled(action, state)))
-        run(action, state);
+        choose(action, state);
     mark(state, "menu." + std::string(action.id));
     tooltip(title, action.help, {}, action.paper);
 }

@@ -1,6 +1,7 @@
 #include "panels/controls.h"
 #include "panels/panels.h"
 #include "panels/words.h"
+#include "split_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -23,15 +24,55 @@ void draw_buttons(AppState &state) {
     icon_button(state, "solve.end", Icon::to_end, size);
     ImGui::SameLine(0, em(0.8f));
     action_button(state, "solve.sub_step", "Next phase", {0, size});
+    ImGui::SameLine(0, 2);
+    action_button(state, "solve.split", "Next split", {0, size});
+    ImGui::SameLine(0, em(0.8f));
+    held_button(state, "view.before", "Before", state.before_by_mouse, {0, size});
 }
 
-/// The course as a line of beads, three to an iteration: filled as far as computed, ringed where we stand. A click goes
-/// there.
+/// Under the beads: the splits of the refinement at which we stand, each a tick, cuts taller; those shown are full. A click
+/// or a drag goes there.
+void draw_splits(AppState &state, const ImVec2 &low, float width, float height) {
+    const int n = n_splits(state);
+    if (n == 0)
+        return;
+    const int shown = shown_splits(state).value_or(n);
+    const std::string text = shown_splits(state) ? "refine \u00b7 split " + std::to_string(shown) + " of " + std::to_string(n)
+                                                 : "refine \u00b7 " + count_words(n) + (n == 1 ? " split" : " splits");
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float size = 0.85f * em(), label = em(10), left = low.x + label;
+    list.AddText(nullptr, size, {low.x, low.y + 0.5f * (height - size)}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    const float step = std::min(em(1.1f), (width - label) / static_cast<float>(n));
+    if (step <= 0)
+        return;
+    ImGui::SetCursorScreenPos({left, low.y});
+    ImGui::InvisibleButton("splits", {step * static_cast<float>(n), height});
+    mark(state, "splits");
+    const auto &events = *state.snapshot(state.active_strategy())->events;
+    const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.45f), full = ImGui::GetColorU32(ImGuiCol_Text),
+                accent = ImGui::GetColorU32(ImGuiCol_CheckMark);
+    for (int k = 1; k <= n; ++k) {
+        const bool cut = events[static_cast<std::size_t>(k - 1)].cut, newest = shown_splits(state) == k;
+        const float x = left + step * (static_cast<float>(k) - 0.5f), reach = (cut || newest ? 0.42f : 0.22f) * height,
+                    middle = low.y + 0.5f * height;
+        list.AddLine({x, middle - reach}, {x, middle + reach}, newest ? accent : k <= shown ? full : faint,
+                     newest ? 3.f : std::clamp(0.4f * step, 1.f, 2.f));
+    }
+    const int over = std::clamp(1 + static_cast<int>((ImGui::GetMousePos().x - left) / step), 1, n);
+    tooltip("Split " + std::to_string(over) + " of " + std::to_string(n), events[static_cast<std::size_t>(over - 1)].sentence);
+    if (ImGui::IsItemActive() && shown_splits(state) != over) {
+        state.playing = false;
+        show_splits(state, over);
+    }
+}
+
+/// The course as a line of beads, three to an iteration: filled as far as computed, ringed where we stand. A click
+/// goes there, and so does a drag as far as is computed.
 void draw_course(AppState &state, float width) {
     const int last = state.timeline(state.active_strategy()).last();
     const int n = std::max(last + 1, 4 * phases_per_iteration);
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float height = em(1.9f), r = 0.24f * em();
+    const float height = em(1.7f), r = 0.24f * em();
     const float step = std::min(em(2.6f), (width - 4 * r) / static_cast<float>(n));
     ImGui::InvisibleButton("course", {std::max(width, 1.f), height});
     mark(state, "course");
@@ -60,8 +101,9 @@ void draw_course(AppState &state, float width) {
     if (!ImGui::IsItemHovered())
         return;
     const int over = std::clamp(static_cast<int>(std::lround((ImGui::GetMousePos().x - x_of(0)) / step)), 0, n);
-    tooltip(position_words(over), over <= last ? "Computed; a click goes there." : "A click solves up to here.");
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    tooltip(position_words(over), over <= last ? "Computed; a click or a drag goes there." : "A click solves up to here.");
+    const bool dragged = ImGui::IsItemActive() && over <= last && over != state.position;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || dragged) {
         state.playing = false;
         go_to(state, over);
     }
@@ -79,10 +121,11 @@ void draw_work(AppState &state) {
     float speed = static_cast<float>(state.phases_per_second);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5f * (em(1.9f) - ImGui::GetFrameHeight()));
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::SliderFloat("##speed", &speed, 0.25f, 20, "%.3g phases/s", ImGuiSliderFlags_Logarithmic))
-        state.phases_per_second = speed;
+    if (ImGui::SliderFloat("##speed", &speed, static_cast<float>(slowest), static_cast<float>(fastest), "%.3g steps/s",
+                           ImGuiSliderFlags_Logarithmic))
+        set_speed(state, static_cast<double>(speed));
     mark(state, "speed");
-    tooltip("Speed of playing", "How many phases are shown in a second, at most.");
+    tooltip("Speed of playing", "How many phases, and splits within them, are shown in a second, at most.", ",  .");
 }
 
 } // namespace
@@ -93,8 +136,12 @@ void draw_transport(AppState &state, const WindowRect &rect) {
     draw_buttons(state);
     ImGui::SameLine(0, em(1.2f));
     const float right = em(14), here = ImGui::GetCursorPosX();
-    draw_course(state, std::max(em(4), ImGui::GetWindowContentRegionMax().x - here - right - em(1)));
-    ImGui::SameLine(0, em(1));
+    const float width = std::max(em(4), ImGui::GetWindowContentRegionMax().x - here - right - em(1));
+    const ImVec2 corner(ImGui::GetCursorScreenPos().x, rect.y + 0.3f * em());
+    ImGui::SetCursorScreenPos(corner);
+    draw_course(state, width);
+    draw_splits(state, {corner.x, corner.y + em(1.8f)}, width, em(1.1f));
+    ImGui::SetCursorPos({here + width + em(1), 0.5f * (rect.height - em(1.9f))});
     draw_work(state);
     ImGui::End();
 }

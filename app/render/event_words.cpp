@@ -2,24 +2,13 @@
 
 #include "discontinuity/curve.h"
 #include "iteration/critical_surface.h"
+#include "iteration/curve_words.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace penumbra {
 namespace {
-
-/// "a", "a and b", "a, b and c"; each name once.
-std::string listed(const std::vector<std::string> &names) {
-    std::vector<std::string> once;
-    for (const std::string &name : names)
-        if (std::ranges::find(once, name) == once.end())
-            once.push_back(name);
-    std::string text;
-    for (std::size_t i = 0; i < once.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < once.size() ? ", " : " and ") + once[i];
-    return text;
-}
 
 std::string owner(const Snapshot &snapshot, const SnapshotEdge &edge) {
     return edge.surface < 0 ? "a blocker" : surface_name(snapshot, edge.surface);
@@ -30,14 +19,6 @@ std::string blockers(const Snapshot &snapshot, const SnapshotCurve &curve) {
     for (const std::int32_t b : curve.blockers)
         names.push_back(surface_name(snapshot, b));
     return listed(names);
-}
-
-/// Of the touched ones the corner, or the edge; null where there is none.
-const SnapshotEdge *touched(const SnapshotCurve &curve, bool corner) {
-    for (const SnapshotEdge &edge : curve.touched)
-        if (edge.is_corner() == corner)
-            return &edge;
-    return nullptr;
 }
 
 /// Whose edges and corners are touched.

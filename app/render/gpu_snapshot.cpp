@@ -134,6 +134,25 @@ std::vector<glm::vec4> mesh_segments(const Snapshot &snapshot, const std::vector
     return texels;
 }
 
+/// The sides of its pieces, and the curve that it follows.
+std::vector<glm::vec4> newest_split_segments(const Snapshot &snapshot, const std::vector<MeshSide> &sides, const UnitSpace &unit) {
+    std::vector<glm::vec4> texels;
+    if (snapshot.n_shown_events <= 0)
+        return texels;
+    for (const MeshSide &side : sides) {
+        const SnapshotSurface &s = snapshot.surfaces[static_cast<std::size_t>(side.surface)];
+        if (side.fresh)
+            add_segment(texels, unit(to_space(s, side.from)), unit(to_space(s, side.to)), styles::newest_side, side.surface);
+    }
+    const SnapshotEvent &event = (*snapshot.events)[static_cast<std::size_t>(snapshot.n_shown_events - 1)];
+    if (event.curve < 0)
+        return texels;
+    const SnapshotCurve &curve = (*snapshot.curves)[static_cast<std::size_t>(event.curve)];
+    for (std::size_t k = 0; k + 1 < curve.points.size(); ++k)
+        add_segment(texels, unit(curve.points[k]), unit(curve.points[k + 1]), styles::newest_curve(curve.kind), curve.receiver);
+    return texels;
+}
+
 std::vector<glm::vec4> outline_segments(const Snapshot &snapshot, const UnitSpace &unit) {
     std::vector<glm::vec4> texels;
     for (const SnapshotSurface &s : snapshot.surfaces)
@@ -192,6 +211,7 @@ void GpuSnapshot::upload(const Snapshot &snapshot) {
     coefficients.upload(texels);
 
     mesh_lines.upload(mesh_segments(snapshot, mesh.sides, unit));
+    newest_split.upload(newest_split_segments(snapshot, mesh.sides, unit));
     outlines.upload(outline_segments(snapshot, unit));
     links.upload(link_segments(snapshot, unit));
 

@@ -110,7 +110,10 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const Err
     else if (c.converged)
         label.footnote += "converged in " + counted(c.iteration, "step", "steps");
     else
-        label.footnote += "step " + std::to_string(c.iteration) + ", after " + std::string(name(snapshot.phase));
+        label.footnote += "step " + std::to_string(c.iteration) + ", after " +
+                          (snapshot.n_shown_events > 0
+                               ? "split " + std::to_string(snapshot.n_shown_events) + " of " + std::to_string(snapshot.events->size())
+                               : std::string(name(snapshot.phase)));
     return label;
 }
 

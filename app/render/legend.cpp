@@ -213,7 +213,7 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
                 for (const SideKind kind : p.sides) {
                     uniform |= kind == SideKind::uniform;
                     cut |= kind == SideKind::cut;
-                    fresh |= p.fresh && kind == SideKind::uniform;
+                    fresh |= p.fresh && kind == SideKind::uniform && s->n_shown_events <= 0;
                 }
         for (const SnapshotSurface &surface : s->surfaces)
             blocker |= role(surface) == SurfaceRole::blocker;
@@ -233,6 +233,8 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
         if (cut)
             add_mesh(SideKind::cut, false, "cut along a curve");
     }
+    if (std::ranges::any_of(snapshots, [](const Snapshot *s) { return s->n_shown_events > 0; }))
+        entries.push_back({to_imgui(newest_split_colour()), newest_split_width(), 0, 1, "this split"});
     if (look.layers.curves)
         for (const auto &[kind, order] : curves) {
             const CurveStroke stroke = curve_stroke(order);

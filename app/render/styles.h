@@ -11,6 +11,8 @@ namespace penumbra::styles {
 inline int mesh_side(SideKind kind, bool fresh) { return static_cast<int>(kind) + (fresh ? 3 : 0); }
 inline int outline(SurfaceRole role) { return static_cast<int>(role); }
 inline int curve(int kind, int order) { return 3 * kind + order; }
+inline constexpr int newest_side = 0;
+inline int newest_curve(int kind) { return 1 + kind; }
 inline int link(int kind) { return kind; }
 
 // Polygons.

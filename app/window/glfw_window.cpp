@@ -30,8 +30,10 @@ struct GlfwWindow::Callbacks {
     static void key(GLFWwindow *window, int key, int scancode, int action, int mods) {
         GlfwWindow &self = of(window);
         self.touched_ = true;
-        if (action == GLFW_RELEASE)
+        if (action == GLFW_RELEASE) {
+            self.events_.release(key_word(key, scancode, 0));
             return;
+        }
         self.pressed_.push_back(key);
         const std::string word = key_word(key, scancode, mods);
         const bool text = ImGui::GetIO().WantTextInput && !(mods & GLFW_MOD_CONTROL) && word != "Escape" &&

@@ -15,6 +15,7 @@ public:
     struct Events {
         std::function<void(const std::string &key)> key; ///< words of keys.h; not while text is being typed
         std::function<void(const std::string &file)> drop;
+        std::function<void(const std::string &key)> release; ///< the same words, without modifiers
     };
 
     /// Opens the window. Throws Unavailable where there is no display or no GL 4.1.

@@ -13,6 +13,7 @@
 #include "profile_verbs.h"
 #include "restore.h"
 #include "shelf_verbs.h"
+#include "split_verbs.h"
 #include "truth_verbs.h"
 #include "verbs.h"
 #include "window/display_end.h"
@@ -65,7 +66,8 @@ Viewer::Viewer(ViewerSetup setup)
     : setup_(std::move(setup)), state_(first_state(setup_)),
       window_("Penumbra", setup_.width, setup_.height,
               {[this](const std::string &key) { on_key(key); },
-               [this](const std::string &file) { state_.open_request = file; }}),
+               [this](const std::string &file) { state_.open_request = file; },
+               [this](const std::string &key) { release_key(key, state_); }}),
       worker_(setup_.read_file, GlfwWindow::wake), checker_(GlfwWindow::wake), judge_(GlfwWindow::wake) {
     ImGui::GetIO().UserData = &state_; // for tooltips
     keeper_.begin(state_, setup_.file.state.has_value(), setup_.script.has_value() || setup_.inert);
@@ -326,6 +328,7 @@ void Viewer::draw_frame() {
     keeper_.note_frame();
     state_.widgets.clear();
     state_.told = {};
+    bring_splits(state_);
     if (!state_.panels_hidden)
         draw_menu_bar(state_);
     const ImVec2 size = ImGui::GetIO().DisplaySize;

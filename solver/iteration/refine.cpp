@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "core/percent.h"
 #include "iteration/candidates.h"
+#include "iteration/curve_words.h"
 #include "iteration/known_curves.h"
 #include "iteration/oracle.h"
 #include "transport/point_transfer.h"
@@ -72,6 +73,10 @@ private:
             state_.counters.work += w;
         for (std::size_t i = 0; i < to_split.size(); ++i)
             apply(ElementId(to_split[i]), splits[i]);
+        for (SplitEvent &event : events_.splits)
+            for (std::size_t i = 0; i < judgements_[event.element.at()].size(); ++i)
+                if (judgements_[event.element.at()][i].verdict == Verdict::fail)
+                    event.handed_down.push_back(state_.interactions[event.element.at()][i]);
         inherit_radiosity();
         for (std::size_t e = 0; e < n; ++e)
             hand_down(ElementId(e));
@@ -100,8 +105,7 @@ private:
             subdivide(forest, node, state_.counters.iteration);
         ++state_.counters.splits;
         state_.counters.cuts += split->cut.has_value();
-        if (!told_ || (split->cut && !told_cut_))
-            tell(node, *split);
+        tell(node, *split);
     }
 
     void tell(ElementId node, const Split &split) {
@@ -113,20 +117,23 @@ private:
                 worst = judgements_[node.at()][i].misfit;
                 source = state_.interactions[node.at()][i]->source;
             }
-        std::string how = split.cut ? "cut in a straight line" : "split in four";
+        std::string how = split.cut ? "cut in a straight line" : e.n_children == 2 ? "split in two" : "split in four";
         if (split.curve) {
-            const Curve &curve = state_.curves->curve(*split.curve);
-            how = "cut along the " + std::string(name(curve.kind)) + " curve of " + surface_name(curve.source);
-            if (!curve.blockers.empty())
-                how += " and " + surface_name(curve.blockers.front());
+            const SnapshotCurve &curve = (*state_.drawn_curves)[split.curve->at()];
+            how = "cut along the " + curve_words(curve, [&](int s) { return surface_name(SurfaceId(s)); });
         }
         const double threshold = state_.counters.threshold;
-        const std::string what = surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " +
-                                 std::to_string(e.basis.order());
-        told_ = what + (worst > 1 ? " misses what " + surface_name(source) + " brings by " + percent(worst * threshold)
-                                  : " falls below black by " + percent(dark / oracle_.allowance().anywhere() * threshold)) +
-                " of the peak > " + percent(threshold) + "; " + how;
-        told_cut_ = split.cut.has_value();
+        const std::string sentence =
+            surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " + std::to_string(e.basis.order()) +
+            (worst > 1 ? " misses what " + surface_name(source) + " brings by " + percent(worst * threshold)
+                       : " falls below black by " + percent(dark / oracle_.allowance().anywhere() * threshold)) +
+            " of the peak > " + percent(threshold) + "; " + how;
+        if (!told_ || (split.cut && !told_cut_)) {
+            told_ = sentence;
+            told_cut_ = split.cut.has_value();
+        }
+        events_.splits.push_back(
+            {node, split.cut.has_value(), split.curve, source, worst * threshold, threshold, {}, sentence});
     }
 
     std::string surface_name(SurfaceId s) const {
@@ -238,8 +245,10 @@ private:
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
             state_.counters.work += work[i];
-            if (!made[i]->links.empty())
-                state_.interactions[requests_[i].receiver.at()].push_back(std::move(made[i]));
+            if (made[i]->links.empty())
+                continue;
+            events_.links.push_back({requests_[i].receiver, requests_[i].source, static_cast<int>(made[i]->links.size())});
+            state_.interactions[requests_[i].receiver.at()].push_back(std::move(made[i]));
         }
     }
 
@@ -270,6 +279,7 @@ private:
         if (told_ && c.splits > 1)
             state_.sentence += " (and " + std::to_string(c.splits - 1) + " more)";
         c.refined = changed_;
+        state_.events = std::make_shared<const RefineEvents>(std::move(events_));
     }
 
     const Setting &setting_;
@@ -280,6 +290,7 @@ private:
     Oracle oracle_;
     std::vector<std::vector<Judgement>> judgements_; ///< as state.interactions
     std::vector<Request> requests_;
+    RefineEvents events_;
     std::optional<std::string> told_;
     bool told_cut_ = false, changed_ = false;
     bool nothing_emits_ = true;

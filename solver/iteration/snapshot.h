@@ -88,10 +88,25 @@ struct SnapshotCurve {
 struct SnapshotLink {
     Vec3 receiver, source;              ///< centres of the two elements
     std::int32_t kind = 0;              ///< 0 clear, 1 near or touching, 2 partly hidden
+    std::int32_t event = -1;            ///< of snapshot.events, which made the receiver; -1: none of them
+};
+
+/// A split of the last refinement (split_event.h).
+struct SnapshotEvent {
+    SnapshotPatch element;              ///< as it was before, with the polynomial that its pieces have taken over
+    std::int32_t split = -1;            ///< of snapshot.splits; a cut in two steps has split one of the pieces, too
+    bool cut = false;                   ///< along a line, not uniformly
+    std::int32_t curve = -1;            ///< of snapshot.curves, that the line follows; -1: none
+    std::int32_t source = -1;           ///< whose light is missed most; -1: not known
+    double misfit = 0, threshold = 0;   ///< fractions of the peak
+    int n_pieces = 0;                   ///< patches in the element's place
+    int n_coefficients = 0;             ///< of each of them, and of the element
+    std::vector<SnapshotLink> links;    ///< that the element had and its pieces were linked anew for
+    std::string sentence;
 };
 
 struct Snapshot {
-    std::uint64_t version = 0;          ///< grows with every snapshot that is made in this process
+    std::uint64_t version = 0;          ///< another one for each snapshot that is made in this process
     std::string scene;
     Options options;
     Phase phase = Phase::start;
@@ -106,6 +121,9 @@ struct Snapshot {
     double error = -1;                  ///< relative L2 error against the exact direct solution; negative: not known
     bool reconstructed = false;         ///< patches hold quadratics made for the eye (quadratic.h), not the solution's constants
     std::string sentence;               ///< what the last phase did, in words
+    /// After a refinement, its splits in order; else null.
+    std::shared_ptr<const std::vector<SnapshotEvent>> events;
+    std::int32_t n_shown_events = -1;   ///< the mesh is that after so many of them (after_splits.h); -1: after all
     std::vector<LedgerEntry> effects;   ///< what was decided about each, up to now
 };
 

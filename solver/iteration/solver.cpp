@@ -118,6 +118,7 @@ void Solver::sub_step(const Cancel *cancel) {
         break;
     }
     case Phase::refined:
+        next->events.reset();
         seconds = c.gather_s = seconds_of([&] { gather(setting, *next, cancel); });
         next->phase = Phase::gathered;
         break;

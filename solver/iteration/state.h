@@ -8,6 +8,7 @@
 #include "hierarchy/push_pull.h"
 #include "iteration/link_batch.h"
 #include "iteration/snapshot.h"
+#include "iteration/split_event.h"
 #include "transport/interaction.h"
 #include "visibility/ray_scene.h"
 
@@ -54,6 +55,7 @@ struct State {
     Coefficients shot; ///< GatherOrder::southwell: the radiosity that `irradiance` came from; else empty
     double peak = 0;                       ///< largest reflected radiosity B - E, largest channel [W/m2]
     std::string sentence;                  ///< what the last phase did
+    std::shared_ptr<const RefineEvents> events; ///< of the refinement, if that was the last phase; else null
 };
 
 /// Each of the three phases takes the state before it and leaves the state after it; all can be cancelled.

@@ -96,6 +96,70 @@ void add_polynomial(const Element &leaf, const Coefficients &radiosity, Snapshot
         coefficients.push_back(row.transpose().array());
 }
 
+Vec3 centre(const Scene &scene, const Element &element) {
+    return scene.own.to_own(scene.surface(element.surface).frame.to_space(element.basis.centre()));
+}
+
+void add_links(const Scene &scene, const Forest &forest, ElementId receiver, const Interaction &interaction, int event,
+               std::vector<SnapshotLink> &links) {
+    for (const Link &link : interaction.links)
+        links.push_back({centre(scene, forest[receiver]), centre(scene, forest[link.source]), link_kind(interaction.kind), event});
+}
+
+SnapshotPatch patch_of(const Scene &scene, const State &state, const Element &e, const SnapshotPlace &place,
+                       std::vector<Rgb> &coefficients) {
+    SnapshotPatch patch;
+    patch.surface = e.surface.index;
+    add_polynomial(e, state.radiosity, patch, coefficients);
+    add_shape(e, scene.own.size, patch);
+    patch.depth = static_cast<float>(e.depth());
+    patch.fresh = e.born > 0 && e.born == state.counters.iteration;
+    patch.at_limit = e.at_limit;
+    patch.place = place;
+    return patch;
+}
+
+/// By element: the split of the last refinement that made it, or -1.
+std::vector<int> makers(const State &state) {
+    std::vector<int> made_by(state.forest.elements.size(), -1);
+    if (!state.events)
+        return made_by;
+    for (std::size_t k = 0; k < state.events->splits.size(); ++k)
+        made_by[state.events->splits[k].element.at()] = static_cast<int>(k);
+    for (std::size_t i = 0; i < made_by.size(); ++i) // parents stand before their children
+        if (const ElementId parent = state.forest.elements[i].parent; parent.valid() && made_by[i] < 0)
+            made_by[i] = made_by[parent.at()];
+    for (const SplitEvent &event : state.events->splits)
+        made_by[event.element.at()] = -1;
+    return made_by;
+}
+
+void add_events(const Scene &scene, const State &state, const std::vector<SnapshotPlace> &places,
+                const std::vector<int> &made_by, Snapshot &out) {
+    if (!state.events)
+        return;
+    auto events = std::make_shared<std::vector<SnapshotEvent>>();
+    for (const SplitEvent &event : state.events->splits) {
+        const Element &e = state.forest[event.element];
+        SnapshotEvent &drawn = events->emplace_back();
+        drawn.element = patch_of(scene, state, e, places[event.element.at()], out.coefficients);
+        drawn.split = places[e.first_child.at()].split;
+        drawn.cut = event.cut;
+        drawn.curve = event.curve ? event.curve->index : -1;
+        drawn.source = event.source.index;
+        drawn.misfit = event.misfit;
+        drawn.threshold = event.threshold;
+        drawn.n_coefficients = e.basis.n_functions();
+        for (const auto &interaction : event.handed_down)
+            add_links(scene, state.forest, event.element, *interaction, -1, drawn.links);
+        drawn.sentence = event.sentence;
+    }
+    for (std::size_t i = 0; i < made_by.size(); ++i)
+        if (made_by[i] >= 0 && state.forest.elements[i].leaf())
+            ++(*events)[static_cast<std::size_t>(made_by[i])].n_pieces;
+    out.events = std::move(events);
+}
+
 } // namespace
 
 std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state) {
@@ -112,31 +176,20 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
     out->effects = ledger(scene, setting.options, setting.plan, state.counters);
     for (int s = 0; s < scene.n_surfaces(); ++s)
         out->surfaces.push_back(surface_of(scene, SurfaceId(s)));
-    const auto centre = [&](ElementId e) {
-        const Element &element = state.forest[e];
-        return scene.own.to_own(scene.surface(element.surface).frame.to_space(element.basis.centre()));
-    };
     const std::vector<double> missed = missed_squares(scene, state);
     const std::vector<SnapshotPlace> places = add_splits(state.forest, scene.own.size, *out);
+    const std::vector<int> made_by = makers(state);
     for (std::size_t i = 0; i < state.forest.elements.size(); ++i) {
         const Element &e = state.forest.elements[i];
         for (const auto &interaction : state.interactions[i])
-            for (const Link &link : interaction->links)
-                out->links.push_back({centre(ElementId(i)), centre(link.source), link_kind(interaction->kind)});
+            add_links(scene, state.forest, ElementId(i), *interaction, made_by[i], out->links);
         if (!e.leaf())
             continue;
-        SnapshotPatch patch;
-        patch.surface = e.surface.index;
-        add_polynomial(e, state.radiosity, patch, out->coefficients);
-        add_shape(e, scene.own.size, patch);
-        patch.depth = static_cast<float>(e.depth());
-        patch.fresh = e.born > 0 && e.born == state.counters.iteration;
-        patch.at_limit = e.at_limit;
-        patch.place = places[i];
+        out->patches.push_back(patch_of(scene, state, e, places[i], out->coefficients));
         if (missed[i] >= 0)
-            patch.estimate = scene.own.size * std::sqrt(missed[i] * e.basis.area());
-        out->patches.push_back(std::move(patch));
+            out->patches.back().estimate = scene.own.size * std::sqrt(missed[i] * e.basis.area());
     }
+    add_events(scene, state, places, made_by, *out);
     return out;
 }
 
@@ -145,6 +198,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
     out->reconstructed = true;
     out->counters.estimated_error = out->counters.error_limit = out->counters.error_bound = -1;
     out->coefficients.clear();
+    out->events.reset(); // which are of the constants
     auto patch = out->patches.begin();
     for (const Element &e : field.forest.elements)
         if (e.leaf()) {

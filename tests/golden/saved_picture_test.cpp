@@ -120,6 +120,25 @@ TEST_F(SavedPicture, AStateStopsAfterAPhase) {
     EXPECT_EQ(phase(3)["picture"]["width"], 320);
 }
 
+TEST_F(SavedPicture, AStateStopsInTheMiddleOfARefinement) {
+    const auto render = [&](const std::string &split, const std::string &png) {
+        std::ofstream(folder / "s.penumbra.json")
+            << R"({"scene": "slanted-edge", "position": 4, "split": )" << split
+            << R"(, "options": {"threshold": 0.05}, "picture": {"width": 640, "height": 480}})";
+        EXPECT_EQ(run("render s.penumbra.json -o " + png), 0) << err();
+        return state(png);
+    };
+    EXPECT_EQ(render("1", "one.png")["split"], 1);
+    EXPECT_EQ(render("2", "two.png")["split"], 2);
+    EXPECT_EQ(render("null", "all.png")["split"], nullptr);
+    EXPECT_GT(rows_that_differ(image("one.png"), image("two.png")).size(), 10u);
+    EXPECT_GT(rows_that_differ(image("two.png"), image("all.png")).size(), 10u);
+    ASSERT_EQ(run("render two.png -o again.png"), 0) << err();
+    EXPECT_EQ(state("again.png"), state("two.png"));
+    for (const int row : rows_that_differ(image("two.png"), image("again.png")))
+        EXPECT_LE(row, 40) << "the seconds alone are measured anew";
+}
+
 TEST_F(SavedPicture, WhatIsSaidBesideAStateHolds) {
     ASSERT_EQ(run("render slanted-edge --panes a,d --threshold 0.05 --steps 1 --exposure 2 -o a.png --size 320x240"), 0)
         << err();

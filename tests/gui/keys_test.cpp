@@ -38,6 +38,13 @@ const std::map<std::string, Expected> &expectations() {
         {"solve.sub_step", {"/position", 1, {"solve.reset"}}},
         {"solve.back", {"/position", 0, {"solve.reset", "solve.step"}}},
         {"solve.sub_back", {"/position", 2, {"solve.reset", "solve.step"}}},
+        {"solve.split", {"/split", 1, {"solve.reset", "solve.step"}}},
+        {"solve.split_back", {"/position", 3, {"solve.reset", "solve.step", "solve.split"}}},
+        {"solve.next_cut", {"/split", nullptr, {"solve.reset"}}},
+        {"solve.animate", {"/animates_splits", false, {}}},
+        {"solve.slower", {"/speed", nullptr, {}}},
+        {"solve.faster", {"/speed", nullptr, {}}},
+        {"view.before", {"/before", true, {"solve.reset", "solve.step"}}},
         {"solve.reset", {"/position", 0, {"solve.reset", "solve.sub_step"}}},
         {"solve.end", {"/panes/0/converged", true, {"solve.reset"}}},
         {"solve.cancel", {"/playing", false, {"solve.reset", "solve.play"}}},
@@ -102,7 +109,7 @@ const std::map<std::string, Expected> &expectations() {
 }
 
 /// Left again afterwards by the same key, so that it can't disturb what follows.
-const std::set<std::string> switches{"file.open",          "solve.play",    "view.panels",  "view.theme", "view.keyhole",
+const std::set<std::string> switches{"file.open",          "solve.play", "solve.animate", "view.panels",  "view.theme", "view.keyhole",
                                      "view.inspector", "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.objects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
                                      "layers.false_colour", "layers.legend", "help.keys", "help.tour"};
@@ -115,7 +122,8 @@ std::string xdotool_key(std::string key) {
             modifiers += name;
             key = key.substr(word.size());
         }
-    const std::map<std::string, std::string> names{{"Space", "space"}, {"?", "question"}, {"+", "plus"}, {"-", "minus"}};
+    const std::map<std::string, std::string> names{{"Space", "space"}, {"?", "question"}, {"+", "plus"}, {"-", "minus"},
+                                                   {",", "comma"},     {".", "period"}};
     if (const auto found = names.find(key); found != names.end())
         key = found->second;
     if (key.size() == 1)
@@ -196,11 +204,17 @@ TEST_P(Way, EveryActionDoesWhatItSays) {
         if (!expected.after.is_null()) {
             EXPECT_NE(before, expected.after) << expected.place << " holds the value already: the test would prove nothing";
         }
-        by_palette ? find_and_do(session, id) : press(session, id);
+        const bool held = find_action(id)->release != nullptr && !by_palette;
+        const std::string key = xdotool_key(find_action(id)->keys.empty() ? "" : std::string(find_action(id)->keys.front()));
+        by_palette ? find_and_do(session, id) : held ? session.hold(key) : press(session, id);
         session.wait_until(id + " changes " + expected.place, [&](const Json &s) {
             const Json now = at(s, expected.place);
             return expected.after.is_null() ? now != before : now == expected.after;
         });
+        if (find_action(id)->release) {
+            held ? session.let_go(key) : find_and_do(session, id);
+            session.wait_until(id + " ends", [&](const Json &s) { return at(s, expected.place) == before; });
+        }
         if (switches.contains(id))
             press(session, id);
         tidy(session);

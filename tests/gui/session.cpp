@@ -120,9 +120,23 @@ void Session::xdotool(std::vector<std::string> words) const {
     output_of(words, {{"DISPLAY", screen_->display()}});
 }
 
-void Session::key(const std::string &name) {
+void Session::key(const std::string &name) { press("key", name); }
+
+void Session::hold(const std::string &name) { press("keydown", name); }
+
+void Session::let_go(const std::string &name) { xdotool({"keyup", name}); }
+
+void Session::hold(Point p) {
+    move(p);
+    sleep(0.1); // the control under the mouse is known with the next frame
+    xdotool({"mousedown", "1"});
+}
+
+void Session::let_go() { xdotool({"mouseup", "1"}); }
+
+void Session::press(const std::string &how, const std::string &name) {
     const int before = state().value("inputs", 0);
-    xdotool({"key", name});
+    xdotool({how, name});
     for (int i = 0; i < 1000 * time_factor && program_->running() && state().value("inputs", 0) == before; ++i)
         sleep(0.005);
 }

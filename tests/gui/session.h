@@ -61,6 +61,12 @@ public:
 
     /// Presses and waits until the window has taken it. Names as xdotool has them: "Right", "shift+Right", "question".
     void key(const std::string &name);
+    /// Presses it and keeps it down until let_go().
+    void hold(const std::string &name);
+    void let_go(const std::string &name);
+    /// The same with the left mouse button.
+    void hold(Point p);
+    void let_go();
     /// Into the text field that has the focus; enter() is the key that ends it.
     void type(const std::string &text);
     void enter();
@@ -84,6 +90,7 @@ public:
 
 private:
     void xdotool(std::vector<std::string> words) const;
+    void press(const std::string &how, const std::string &name);
 
     std::filesystem::path root_, home_, work_;
     std::unique_ptr<Screen> screen_;
