@@ -11,6 +11,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <string_view>
 #include <utility>
 
 namespace penumbra {
@@ -36,7 +37,8 @@ struct GlfwWindow::Callbacks {
         }
         self.pressed_.push_back(key);
         const std::string word = key_word(key, scancode, mods);
-        const bool text = ImGui::GetIO().WantTextInput && !(mods & GLFW_MOD_CONTROL) && word != "Escape" &&
+        const bool edits = word.size() == 6 && word.starts_with("Ctrl+") && std::string_view("ACVXYZ").find(word.back()) != std::string_view::npos;
+        const bool text = ImGui::GetIO().WantTextInput && (edits || !(mods & GLFW_MOD_CONTROL)) && word != "Escape" &&
                           !(key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12);
         if (!word.empty() && !text)
             self.events_.key(word);

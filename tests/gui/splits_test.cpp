@@ -57,8 +57,9 @@ TEST(Splits, ComeOneByOneAndGoBackTheSameWay) {
         EXPECT_NE(sentence.find(" misses what "), std::string::npos) << sentence;
         EXPECT_TRUE(sentences.insert(sentence).second) << "said twice: " << sentence;
         EXPECT_TRUE(session.state()["widgets"].contains("splits"));
-        if (k > 1)
+        if (k > 1) {
             EXPECT_FALSE(shots[shots.size() - 2].pixels == shots.back().pixels);
+        }
     }
     for (int k = 2; k >= 1; --k) {
         session.key("ctrl+Left");

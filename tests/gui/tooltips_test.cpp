@@ -51,10 +51,12 @@ protected:
             }, 5);
             EXPECT_GT(s["told"]["title"].get<std::string>().size(), 0U);
             EXPECT_GT(s["told"]["sentence"].get<std::string>().size(), 10U);
-            if (const Action *action = find_action(name))
+            if (const Action *action = find_action(name)) {
                 EXPECT_EQ(s["told"]["sentence"], action->help);
-            if (const std::string paper = paper_line(name); !paper.empty())
+            }
+            if (const std::string paper = paper_line(name); !paper.empty()) {
                 EXPECT_EQ(s["told"]["paper"], paper);
+            }
         }
     }
 
@@ -123,10 +125,12 @@ TEST(PaperLines, NameEquationsThatThePaperHas) {
         // Equations (1) to (7), sections 1 to 6, figures 1 to 8.
         for (std::size_t at = place.find('('); at != place.npos; at = place.find('(', at + 1))
             EXPECT_TRUE(place[at + 1] >= '1' && place[at + 1] <= '7' && place[at + 2] == ')') << place;
-        if (const std::size_t at = place.find("section "); at != place.npos)
+        if (const std::size_t at = place.find("section "); at != place.npos) {
             EXPECT_TRUE(place[at + 8] >= '1' && place[at + 8] <= '6') << place;
-        if (const std::size_t at = place.find("figure "); at != place.npos)
+        }
+        if (const std::size_t at = place.find("figure "); at != place.npos) {
             EXPECT_TRUE(place[at + 7] >= '1' && place[at + 7] <= '8') << place;
+        }
     }
     EXPECT_EQ(paper_line("solve.reset"), "");
 }
