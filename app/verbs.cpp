@@ -2,6 +2,7 @@
 
 #include "core/sentence.h"
 #include "element_verbs.h"
+#include "files/settings.h"
 #include "history.h"
 #include "keyhole_verbs.h"
 #include "move_verbs.h"
@@ -257,7 +258,7 @@ void replace_scene(AppState &state, std::shared_ptr<const Scene> scene) {
 }
 
 void set_speed(AppState &state, double steps_per_second) {
-    state.phases_per_second = std::clamp(steps_per_second, slowest, fastest);
+    state.phases_per_second = std::clamp(steps_per_second, slowest_play, fastest_play);
     char text[64];
     std::snprintf(text, sizeof text, "Playing shows %.3g steps a second.", state.phases_per_second);
     state.message = {text, false};

@@ -24,7 +24,6 @@ double advance_play(AppState &state, Clock::time_point now);
 
 /// Of playing; held between the two [phases or splits a second].
 void set_speed(AppState &state, double steps_per_second);
-inline constexpr double slowest = 0.25, fastest = 60;
 
 /// Throws away what was computed and starts anew with these options; the position asked for stays.
 void set_options(AppState &state, const Options &options);

@@ -11,7 +11,7 @@
 namespace penumbra {
 
 inline constexpr double smallest_ui_scale = 0.5, largest_ui_scale = 4;
-inline constexpr double slowest_play = 0.25, fastest_play = 20; ///< [phases/s]
+inline constexpr double slowest_play = 0.25, fastest_play = 60; ///< [steps/s]
 
 struct Settings {
     double ui_scale = 1;          ///< of the whole interface

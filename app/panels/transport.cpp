@@ -1,3 +1,4 @@
+#include "files/settings.h"
 #include "panels/controls.h"
 #include "panels/panels.h"
 #include "panels/words.h"
@@ -121,7 +122,7 @@ void draw_work(AppState &state) {
     float speed = static_cast<float>(state.phases_per_second);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5f * (em(1.9f) - ImGui::GetFrameHeight()));
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::SliderFloat("##speed", &speed, static_cast<float>(slowest), static_cast<float>(fastest), "%.3g steps/s",
+    if (ImGui::SliderFloat("##speed", &speed, static_cast<float>(slowest_play), static_cast<float>(fastest_play), "%.3g steps/s",
                            ImGuiSliderFlags_Logarithmic))
         set_speed(state, static_cast<double>(speed));
     mark(state, "speed");

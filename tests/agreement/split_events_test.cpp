@@ -205,7 +205,9 @@ void expect_words(const std::string &scene) {
                 return name.empty() ? "surface " + std::to_string(surface) : name;
             };
             EXPECT_TRUE(event.sentence.starts_with(called(event.element.surface) + ", element ")) << event.sentence;
-            EXPECT_NE(event.sentence.find("what " + called(event.source) + " brings"), std::string::npos) << event.sentence;
+            const bool dark = event.sentence.find(" falls below black by ") != std::string::npos;
+            EXPECT_EQ(dark, event.misfit <= event.threshold) << event.sentence;
+            EXPECT_NE(dark, event.sentence.find("what " + called(event.source) + " brings") != std::string::npos) << event.sentence;
             EXPECT_NE(event.sentence.find("> 1 %"), std::string::npos) << event.sentence;
             if (event.curve < 0) {
                 EXPECT_NE(event.sentence.find("; split in four"), std::string::npos) << event.sentence;

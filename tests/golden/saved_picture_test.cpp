@@ -123,7 +123,7 @@ TEST_F(SavedPicture, AStateStopsAfterAPhase) {
 TEST_F(SavedPicture, AStateStopsInTheMiddleOfARefinement) {
     const auto render = [&](const std::string &split, const std::string &png) {
         std::ofstream(folder / "s.penumbra.json")
-            << R"({"scene": "slanted-edge", "position": 4, "split": )" << split
+            << R"({"scene": "slanted-edge", "position": 7, "split": )" << split
             << R"(, "options": {"threshold": 0.05}, "picture": {"width": 640, "height": 480}})";
         EXPECT_EQ(run("render s.penumbra.json -o " + png), 0) << err();
         return state(png);

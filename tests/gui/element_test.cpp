@@ -22,7 +22,7 @@ const Vec2 spot(0.1, 0.1);
 class ElementTest : public testing::Test {
 protected:
     explicit ElementTest(BasisFamily basis = BasisFamily::parametric)
-        : session({"skew-blockers", "--basis", std::string(name(basis))}), scene(std::make_shared<const Scene>(open_scene("skew-blockers"))) {
+        : session({"skew-blockers", "--threshold", "0.02", "--basis", std::string(name(basis))}), scene(std::make_shared<const Scene>(open_scene("skew-blockers"))) {
         options.basis = basis;
         for (int k = 0; k < 2; ++k)
             session.key("Right");
@@ -121,7 +121,9 @@ TEST_F(ElementTest, ARowDrawsAndXraysItsLinks) {
     EXPECT_LT(part, 0.7);
     session.click(row);
     session.wait_until("no X-ray", [](const Json &now) { return answered(now) && !now["inspected"].contains("xray"); });
-    session.key("Escape");
+    // One thing at a time: a curve that the click may have pinned goes first.
+    for (int n = 0; n < 2 && session.settled()["inspector"] != "none"; ++n)
+        session.key("Escape");
     session.wait_until("closed", [](const Json &now) { return now["inspector"] == "none"; });
 }
 

@@ -62,6 +62,9 @@ SavedState unusual() {
     s.profile = std::pair(Vec3(0.1, -2, 1e7), Vec3(1.0 / 3, 4, 5));
     s.picture = SavedPicture{1000, 777, true, true, false, 3};
     s.look.transparent = true;
+    s.moves = {{3, {0.1, -1e-17, 2}, 1.5}};
+    s.caption = "Where is \u201cit\u201d lit?";
+    s.bookmarks = {SavedState{.scene = "table", .caption = "a"}, SavedState{.scene = "figure-4", .caption = "b"}};
     return s;
 }
 
@@ -86,6 +89,11 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     EXPECT_EQ(again.strategies, s.strategies);
     EXPECT_EQ(again.reconstructed, s.reconstructed);
     EXPECT_EQ(again.split, s.split);
+    EXPECT_EQ(again.moves, s.moves);
+    EXPECT_EQ(again.caption, s.caption);
+    ASSERT_EQ(again.bookmarks.size(), 2u);
+    EXPECT_EQ(again.bookmarks[1].scene, "figure-4");
+    EXPECT_EQ(again.bookmarks[1].caption, "b");
 }
 
 /// The control: every field of the text that was changed changes what is read.
