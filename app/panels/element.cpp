@@ -53,6 +53,7 @@ void draw_what_it_holds(AppState &state, const ElementReport &r) {
         ImGui::SameLine(0, gap);
     }
     ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(0);
     const Rgb mean = r.coefficients.row(0).transpose().array();
     ImGui::TextUnformatted(("constant: " + rgb_words(mean) + " W/m\u00b2").c_str());
     const auto n = static_cast<int>(r.coefficients.rows());
@@ -64,6 +65,7 @@ void draw_what_it_holds(AppState &state, const ElementReport &r) {
     } else {
         ImGui::TextDisabled("one function: a constant");
     }
+    ImGui::PopTextWrapPos();
     ImGui::EndGroup();
 }
 

@@ -372,7 +372,9 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
         draw_status_bar(state_, arrangement.status);
     }
     draw_hint(state_, arrangement.panes);
-    draw_caption(state_, arrangement.panes);
+    WindowRect scene = arrangement.panes;
+    scene.height -= arrangement.legend.height;
+    draw_caption(state_, scene);
     draw_error(state_, arrangement.panes);
     draw_tour(state_, arrangement);
     draw_offer(state_, arrangement.panes);
