@@ -26,6 +26,9 @@ Json wait_for(Session &session, int position, const Json &split) {
     });
 }
 
+/// Four splits in the second iteration, and in the third.
+const std::vector<std::string> room{"cornell-box", "--threshold", "0.03"};
+
 /// The refinement of the second iteration, all splits shown, new patches not made to stand out for a while.
 Json at_second_refinement(Session &session) {
     session.key("n");
@@ -38,7 +41,7 @@ Json at_second_refinement(Session &session) {
 }
 
 TEST(Splits, ComeOneByOneAndGoBackTheSameWay) {
-    Session session;
+    Session session(room);
     const Json whole = at_second_refinement(session);
     const int n = whole["splits"].get<int>();
     session.key("shift+Left");
@@ -58,7 +61,7 @@ TEST(Splits, ComeOneByOneAndGoBackTheSameWay) {
         EXPECT_TRUE(sentences.insert(sentence).second) << "said twice: " << sentence;
         EXPECT_TRUE(session.state()["widgets"].contains("splits"));
         if (k > 1) {
-            EXPECT_FALSE(shots[shots.size() - 2].pixels == shots.back().pixels);
+            EXPECT_FALSE(shots[shots.size() - 2].pixels == shots.back().pixels) << "nothing is seen of split " << k;
         }
     }
     for (int k = 2; k >= 1; --k) {
@@ -86,7 +89,7 @@ TEST(Splits, ComeOneByOneAndGoBackTheSameWay) {
 }
 
 TEST(Splits, ATickIsGoneTo) {
-    Session session;
+    Session session(room);
     const int n = at_second_refinement(session)["splits"].get<int>();
     const Box row = session.widget("splits");
     const auto tick = [&](int k) { return Point{row.x + row.width * (k - 0.5) / n, row.y + 0.5 * row.height}; };
@@ -130,7 +133,7 @@ TEST(Splits, UniformMeshingHasNoCut) {
 }
 
 TEST(Splits, PlayingShowsThem) {
-    Session session;
+    Session session(room);
     session.key("comma");
     session.wait_until("a slower pace", [](const Json &s) { return s["speed"] == 1; });
     session.key("Right");
@@ -163,7 +166,7 @@ TEST(Splits, PlayingShowsThem) {
 }
 
 TEST(Splits, BeforeIsWhatWasBeforeTheLastStep) {
-    Session session;
+    Session session(room);
     session.key("n");
     session.key("Right");
     session.wait_until("a step", [](const Json &s) { return s["panes"][0]["computed"] == 3; });
@@ -199,11 +202,11 @@ TEST(Splits, BeforeIsWhatWasBeforeTheLastStep) {
 }
 
 TEST(Splits, PanesShowTheirOwn) {
-    Session session;
+    Session session(room);
     session.key("ctrl+2");
     session.key("Right");
     session.wait_until("both", [](const Json &s) {
-        return s["panes"].size() == 2 && s["panes"][0]["computed"] == 3 && s["panes"][1]["computed"] == 3;
+        return s["position"] == 3 && s["panes"].size() == 2 && s["panes"][0]["computed"] == 3 && s["panes"][1]["computed"] == 3;
     });
     session.key("ctrl+Right");
     session.wait_until("both", [](const Json &s) { return s["panes"][0]["split"] == 1 && s["panes"][1]["split"] == 1; });
@@ -220,12 +223,13 @@ TEST(Splits, AStateAndAPictureBringThemBack) {
         return to;
     };
     {
-        Session session;
-        at_second_refinement(session);
+        Session session(room);
+        const int n = at_second_refinement(session)["splits"].get<int>();
         session.key("ctrl+Left");
+        wait_for(session, 4, n - 1);
         session.key("ctrl+Left");
+        wait_for(session, 4, n - 2);
         view = session.settled();
-        ASSERT_EQ(view["split"], view["splits"].get<int>() - 2);
         session.key("ctrl+s");
         state = keep(session.wait_until("the state", [](const Json &s) { return s["saved"] != ""; })["saved"], ".penumbra.json");
         session.key("F12");
@@ -237,7 +241,7 @@ TEST(Splits, AStateAndAPictureBringThemBack) {
         const Json now = session.settled();
         EXPECT_EQ(now["position"], view["position"]);
         EXPECT_EQ(now["panes"][0]["patches"], view["panes"][0]["patches"]);
-        EXPECT_EQ(now["message"].get<std::string>().substr(0, 5), "floor") << now["message"];
+        EXPECT_EQ(now["message"], view["message"]);
     }
     std::filesystem::remove(state);
     std::filesystem::remove(picture);
