@@ -7,11 +7,14 @@
 #include "render/event_words.h"
 #include "render/link_colour.h"
 
+#include <algorithm>
 #include <string>
 
 namespace penumbra {
 
 namespace {
+
+constexpr std::size_t most_rows = 6;
 
 ImU32 kind_colour(int kind) {
     const glm::vec3 c = link_colour(kind);
@@ -47,8 +50,8 @@ std::string whose(const LinkReport &l) {
            (l.order < l.full_order ? " of " + std::to_string(l.full_order) : "");
 }
 
-void tell_row(const std::string &source, const LinkReport &l) {
-    if (!ImGui::IsItemHovered())
+void tell_row(const std::string &source, const LinkReport &l, bool selected) {
+    if (!ImGui::IsItemHovered() || selected) // then it stands below the rows
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(em(24));
@@ -59,8 +62,22 @@ void tell_row(const std::string &source, const LinkReport &l) {
     ImGui::EndTooltip();
 }
 
-void draw_row(AppState &state, const Snapshot &snapshot, const LinkReport &l) {
-    const std::string source = surface_name(snapshot, l.source);
+/// With its number, where several that light the element have the same name.
+std::string source_name(const Snapshot &snapshot, const ElementReport &report, int source) {
+    const std::string own = surface_name(snapshot, source);
+    const auto n = std::ranges::count_if(report.links, [&](const auto &l) { return surface_name(snapshot, l.source) == own; });
+    return n > 1 ? own + " (" + std::to_string(source) + ")" : own;
+}
+
+/// "41 %", "20 times".
+std::string misses_words(const LinkReport &l) {
+    if (l.weak)
+        return "\u2013";
+    return l.share < 10 ? percent(l.share) : number_words(l.share) + " times";
+}
+
+void draw_row(AppState &state, const Snapshot &snapshot, const ElementReport &report, const LinkReport &l) {
+    const std::string source = source_name(snapshot, report, l.source);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(l.source);
@@ -71,12 +88,12 @@ void draw_row(AppState &state, const Snapshot &snapshot, const LinkReport &l) {
     if (ImGui::Selectable(source.c_str(), state.element.source == l.source, ImGuiSelectableFlags_SpanAllColumns))
         pick_source(state, l.source);
     mark(state, "link from " + std::to_string(l.source));
-    tell_row(source, l);
+    tell_row(source, l, state.element.source == l.source);
     ImGui::PopID();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(number_words(l.mean.mean()).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(l.weak ? "\u2013" : percent(l.share).c_str());
+    ImGui::TextUnformatted(misses_words(l).c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(short_verdict(l.verdict));
 }
@@ -99,8 +116,12 @@ void draw_element_links(AppState &state, const ElementReport &report) {
         ImGui::PopTextWrapPos();
         return;
     }
-    if (!ImGui::BeginTable("links", 4, ImGuiTableFlags_SizingStretchProp))
+    // Where many do, their rows scroll, so that the X-ray stays in sight.
+    const bool many = report.links.size() > most_rows;
+    const float height = many ? (static_cast<float>(most_rows) + 1.5f) * ImGui::GetTextLineHeightWithSpacing() : 0;
+    if (!ImGui::BeginTable("links", 4, ImGuiTableFlags_SizingStretchProp | (many ? ImGuiTableFlags_ScrollY : 0), {0, height}))
         return;
+    ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("source", 0, 2.6f);
     ImGui::TableSetupColumn("brings", 0, 1.2f);
     ImGui::TableSetupColumn("misses", 0, 1.1f);
@@ -111,11 +132,11 @@ void draw_element_links(AppState &state, const ElementReport &report) {
     head("misses", "What the fit misses, as a share of what the oracle lets pass: above 100 % it fails.");
     head("oracle", "What becomes of it when it is judged next.");
     for (const LinkReport &l : report.links)
-        draw_row(state, *snapshot, l);
+        draw_row(state, *snapshot, report, l);
     ImGui::EndTable();
     if (const LinkReport *l = picked_links(state)) {
         ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted((surface_name(*snapshot, l->source) + " " + l->words + ".").c_str());
+        ImGui::TextUnformatted((source_name(*snapshot, report, l->source) + " " + l->words + ".").c_str());
         ImGui::TextDisabled("%s.", whose(*l).c_str());
         ImGui::PopTextWrapPos();
     } else {

@@ -30,7 +30,7 @@ void draw_mouse() {
     row("right drag", "Moves along; also with the middle button, or Shift and the left one.");
     row("wheel", "Up: nearer to the point under the mouse. Down: away from it.");
     row("click", "On a curve: keeps its critical surface in sight. Elsewhere, or Esc: lets it go. "
-                 "With the filter microscope open, on a patch: shows its filters.");
+                 "With the filter microscope or the inspector open, on a patch: shows its filters, or all about it.");
     row("keyhole drag", "On a surface, the keyhole open: moves the point that looks. Elsewhere: turns, as ever.");
     row("double click", "Makes the point under the mouse the pivot.");
     ImGui::EndTable();

@@ -30,7 +30,7 @@ std::string tests_words(const LinkXray &xray) {
         return "Weak links are a constant and are not tested.";
     const auto near = std::ranges::count_if(xray.tests, &XrayTest::near);
     return std::to_string(near) + " of " + std::to_string(xray.tests.size()) + " test points lie near this line" +
-           (std::ranges::any_of(xray.tests, [](const XrayTest &t) { return t.near && t.worst; }) ? "; the worst is red." : ".");
+           (std::ranges::any_of(xray.tests, [](const XrayTest &t) { return t.near && t.worst; }) ? "; the filled one is the worst." : ".");
 }
 
 } // namespace
@@ -60,7 +60,7 @@ void draw_xray(AppState &state, const Fonts &fonts) {
     });
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s%s", tests_words(xray).c_str(),
-                        grey ? "" : (std::string(" Shown is the channel that is worst, ") + channels[xray.channel] + ".").c_str());
+                        grey ? "" : (std::string(" Shown: ") + channels[xray.channel] + ", the channel that is worst.").c_str());
     ImGui::PopTextWrapPos();
 }
 
