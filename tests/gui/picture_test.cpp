@@ -97,25 +97,6 @@ TEST(Pictures, TheCopiedLineMakesTheSamePicture) {
 }
 
 /// What is in the clipboard is seen by pasting it where a file's name is typed: there is no such file, which is said.
-TEST(Pictures, TheLineIsInTheClipboard) {
-    Session session;
-    session.key("ctrl+shift+c");
-    session.wait_until("the line", [](const Json &s) { return s["pictures"]["command"] != ""; });
-    const auto line = session.state()["pictures"]["command"].get<std::string>();
-    session.key("ctrl+o");
-    session.wait_until("the dialog", [](const Json &s) { return s["open_dialog"] == true; });
-    session.settled();
-    // A frame that begins between the presses of Ctrl and V takes them for two keys: then nothing is pasted, and Enter leaves
-    // the empty field as it is.
-    for (int tries = 0; tries < 10 && session.settled()["open_dialog"] == true; ++tries) {
-        session.key("ctrl+v");
-        session.settled();
-        session.enter();
-    }
-    const Json after = session.wait_until("no such file", [](const Json &s) { return s["message_is_error"] == true; });
-    EXPECT_NE(after["message"].get<std::string>().find(line.substr(0, 40)), std::string::npos) << after["message"];
-}
-
 TEST(Pictures, BothMeshingsInOneKeystrokeWhateverIsShown) {
     Session session({"figure-4", "--threshold", "0.03"});
     session.key("1");
