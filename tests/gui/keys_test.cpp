@@ -182,7 +182,7 @@ void tidy(Session &session) {
     leave(s["background"] == "light", "view.theme");
     leave(s["layers"]["links"] == true, "layers.links");
     if (const std::string inspector = s["inspector"]; inspector != "none")
-        press(session, "view." + inspector);
+        press(session, inspector == "element" ? "view.inspector" : "view." + inspector);
 }
 
 class Way : public testing::TestWithParam<bool> {};
