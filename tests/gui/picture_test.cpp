@@ -97,6 +97,14 @@ TEST(Pictures, TheCopiedLineMakesTheSamePicture) {
 }
 
 /// What is in the clipboard is seen by pasting it where a file's name is typed: there is no such file, which is said.
+/// As another program gets it when one pastes there.
+TEST(Pictures, TheLineIsInTheClipboard) {
+    Session session;
+    session.key("ctrl+shift+c");
+    const Json after = session.wait_until("the line", [](const Json &s) { return s["pictures"]["command"] != ""; });
+    EXPECT_EQ(session.clipboard(), after["pictures"]["command"].get<std::string>());
+}
+
 TEST(Pictures, BothMeshingsInOneKeystrokeWhateverIsShown) {
     Session session({"figure-4", "--threshold", "0.03"});
     session.key("1");

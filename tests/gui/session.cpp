@@ -176,6 +176,15 @@ void Session::drop(const std::filesystem::path &file) {
     output_of({PENUMBRA_DROP_FILE, window_, file.string()}, {{"DISPLAY", screen_->display()}});
 }
 
+std::string Session::clipboard() const {
+    return output_of({PENUMBRA_READ_CLIPBOARD}, {{"DISPLAY", screen_->display()}});
+}
+
+void Session::resize(int width, int height) {
+    xdotool({"windowsize", "--sync", window_, whole(width), whole(height)});
+    settled();
+}
+
 Box Session::widget(const std::string &name) const {
     const Json widgets = state().value("widgets", Json::object());
     if (!widgets.contains(name)) {

@@ -75,6 +75,9 @@ public:
     void click(Point p, int button = 1, int times = 1);
     void drag(Point from, Point to, int button = 1, const std::string &modifier = "");
     void drop(const std::filesystem::path &file);
+    std::string clipboard() const; ///< what another program would paste
+    /// The window, which is 1280 by 800 at first; not beyond the screen.
+    void resize(int width, int height);
 
     /// Where a control stands; fails the test when it is not shown.
     Box widget(const std::string &name) const;
