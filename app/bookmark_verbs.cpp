@@ -47,7 +47,7 @@ void go_to_bookmark(AppState &state, int number) {
     state.playing = false;
     state.halted = false;
     if (!state.scene || !is_of(view, *state.scene)) {
-        state.open_request = view.file.empty() ? view.scene : "/" + view.file;
+        state.open_request = view.file.empty() ? view.scene : view.file;
         state.to_restore = view;
         return;
     }

@@ -1,5 +1,6 @@
 #include "restore.h"
 
+#include "core/error.h"
 #include "keyhole_verbs.h"
 #include "move_verbs.h"
 #include "profile_verbs.h"
@@ -79,7 +80,12 @@ void restore(AppState &state, const SavedState &saved) {
 
 void bring_back(AppState &state, const SavedState &saved) {
     if (saved.moves != state.objects.moves && state.objects.original)
-        set_moves(state, saved.moves);
+        try {
+            set_moves(state, saved.moves);
+        } catch (const BadInput &e) {
+            state.message = {e.what(), true};
+            return;
+        }
     Options options = saved.options;
     options.threads = state.options.threads;
     options.strategy = state.options.strategy;

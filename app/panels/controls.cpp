@@ -209,6 +209,20 @@ ImGuiWindowFlags panel_flags() {
            ImGuiWindowFlags_NoNavInputs;
 }
 
+void begin_card(const char *name) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, em(0.3f));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em(0.9f), em(0.7f)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+}
+
+void end_card() {
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+}
+
 void begin_panel(const char *name, const WindowRect &rect) {
     ImGui::SetNextWindowPos({rect.x, rect.y});
     ImGui::SetNextWindowSize({rect.width, rect.height});

@@ -45,6 +45,9 @@ float em(float n = 1);
 
 /// Flags of a panel that is fixed in its place.
 ImGuiWindowFlags panel_flags();
+/// A card over the panes, where ImGui's next window was put; it takes no focus. End with end_card().
+void begin_card(const char *name);
+void end_card();
 /// Begins a panel that fills the rectangle; end with ImGui::End().
 void begin_panel(const char *name, const WindowRect &rect);
 

@@ -61,12 +61,7 @@ void draw_tour(AppState &state, const Arrangement &arrangement) {
     const float width = std::min(em(23), arrangement.panes.width - em(1.6f));
     ImGui::SetNextWindowPos(corner(state, arrangement, width), ImGuiCond_Always, {1, 1});
     ImGui::SetNextWindowSize({width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, em(0.3f));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em(0.9f), em(0.7f)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::Begin("tour", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+    begin_card("tour");
     ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", std::string(card.title).c_str());
     const std::string count = std::to_string(state.tour.card + 1) + " of " + std::to_string(n);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x);
@@ -76,8 +71,7 @@ void draw_tour(AppState &state, const Arrangement &arrangement) {
     draw_buttons(state, n);
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     state.widgets["tour"] = {low.x, low.y, size.x, size.y};
-    ImGui::End();
-    ImGui::PopStyleVar(3);
+    end_card();
 }
 
 } // namespace penumbra

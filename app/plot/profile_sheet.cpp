@@ -1,6 +1,6 @@
 #include "plot/profile_sheet.h"
 
-#include "plot/linear_axis.h"
+#include "plot/linear_page.h"
 #include "plot/strategy_style.h"
 #include "render/curve_pass.h"
 
@@ -11,16 +11,6 @@
 namespace penumbra {
 
 namespace {
-
-struct Page {
-    PlotBox box;
-    LinearAxis x, y;
-
-    glm::vec2 at(double place, double value) const {
-        return {box.low.x + static_cast<float>(x.place(place)) * box.width(),
-                box.high.y - static_cast<float>(y.place(value)) * box.height()};
-    }
-};
 
 struct Pen {
     Canvas &canvas;
@@ -51,7 +41,7 @@ enum class Shown { value, slope };
 double number(const ProfilePoint &p, Shown what) { return channel_mean(what == Shown::value ? p.radiosity : p.slope); }
 
 /// The line through the points, which lie left to right.
-void draw_line(const Pen &pen, const Page &page, const std::vector<ProfilePoint> &points, Shown what,
+void draw_line(const Pen &pen, const LinearPage &page, const std::vector<ProfilePoint> &points, Shown what,
                const PlotStroke &stroke) {
     std::vector<glm::vec2> line;
     for (const ProfilePoint &p : points)
@@ -62,7 +52,7 @@ void draw_line(const Pen &pen, const Page &page, const std::vector<ProfilePoint>
 }
 
 /// A piece each, and over a border the jump from one to the next, fainter.
-void draw_solution(const Pen &pen, const Page &page, const ProfileCurve &curve, Shown what) {
+void draw_solution(const Pen &pen, const LinearPage &page, const ProfileCurve &curve, Shown what) {
     const PlotStroke stroke = pen.stroke(curve);
     for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
         draw_line(pen, page, curve.pieces[i].points, what, stroke);
@@ -77,7 +67,7 @@ void draw_solution(const Pen &pen, const Page &page, const ProfileCurve &curve, 
     }
 }
 
-void draw_crossings(const Pen &pen, const Page &page, const glm::vec2 &reach) {
+void draw_crossings(const Pen &pen, const LinearPage &page, const glm::vec2 &reach) {
     for (const ProfileCrossing &c : pen.data.crossings) {
         const float x = page.at(c.at, page.y.low).x;
         glm::vec4 colour = curve_rgba(c.kind);
@@ -115,7 +105,7 @@ LinearAxis slope_axis(const ProfileData &data) {
 }
 
 /// A row of ticks for each solution where its elements end, in its colour.
-void draw_borders(const Pen &pen, const Page &page, float top, float row) {
+void draw_borders(const Pen &pen, const LinearPage &page, float top, float row) {
     for (std::size_t i = 0; i < pen.data.curves.size(); ++i) {
         const ProfileCurve &curve = pen.data.curves[i];
         PlotStroke stroke = pen.stroke(curve);
@@ -174,7 +164,7 @@ float draw_names(const Pen &pen, glm::vec2 corner, float width) {
 }
 
 /// The numbers at the cursor, on a ground of their own beside the rule.
-void draw_figures(const Pen &pen, const Page &page, double cursor) {
+void draw_figures(const Pen &pen, const LinearPage &page, double cursor) {
     struct Row {
         std::string text;
         glm::vec4 colour;
@@ -246,10 +236,10 @@ ProfilePlaces draw_profile(Canvas &canvas, const PlotBox &box, const ProfileData
     const float top = box.low.y + names + 2.1f * em, bottom = box.high.y - 3.2f * em;
     const float between = rows + 2.1f * em, height = std::max(2 * em, bottom - top - between);
     const LinearAxis x{0, data.length > 0 ? data.length : 1};
-    const Page values{{{left, top}, {right, top + 0.6f * height}}, x, value_axis(data)};
-    const Page slopes{{{left, bottom - 0.4f * height}, {right, bottom}}, x, slope_axis(data)};
+    const LinearPage values{{{left, top}, {right, top + 0.6f * height}}, x, value_axis(data)};
+    const LinearPage slopes{{{left, bottom - 0.4f * height}, {right, bottom}}, x, slope_axis(data)};
     const int n_x = labels_in(right - left, 5 * em);
-    const auto axes = [&](const Page &page, const std::string &title, bool last) {
+    const auto axes = [&](const LinearPage &page, const std::string &title, bool last) {
         draw_axes(canvas, page.box, marks_of(page.x, "distance from A [length]", last, n_x),
                   marks_of(page.y, title, true, labels_in(page.box.height(), 2.2f * em)), look);
     };

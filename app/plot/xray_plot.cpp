@@ -1,6 +1,6 @@
 #include "plot/xray_plot.h"
 
-#include "plot/linear_axis.h"
+#include "plot/linear_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +10,6 @@
 namespace penumbra {
 
 namespace {
-
-struct Page {
-    PlotBox box;
-    LinearAxis x, y;
-
-    glm::vec2 at(double place, double value) const {
-        return {box.low.x + static_cast<float>(x.place(place)) * box.width(),
-                box.high.y - static_cast<float>(y.place(value)) * box.height()};
-    }
-};
 
 struct Pen {
     Canvas &canvas;
@@ -50,7 +40,7 @@ LinearAxis value_axis(const Pen &pen) {
     return linear_axis(all, 0.06);
 }
 
-void draw_band(const Pen &pen, const Page &page) {
+void draw_band(const Pen &pen, const LinearPage &page) {
     const auto &points = pen.xray.points;
     constexpr float strip = 2; // pixels
     const double first = points.front().at, last = points.back().at;
@@ -68,14 +58,14 @@ void draw_band(const Pen &pen, const Page &page) {
     }
 }
 
-void draw_line(const Pen &pen, const Page &page, const PlotStroke &stroke, auto value) {
+void draw_line(const Pen &pen, const LinearPage &page, const PlotStroke &stroke, auto value) {
     std::vector<glm::vec2> line;
     for (const XrayPoint &p : pen.xray.points)
         line.push_back(page.at(p.at, value(p)));
     pen.canvas.polyline(line, stroke);
 }
 
-void draw_tests(const Pen &pen, const Page &page) {
+void draw_tests(const Pen &pen, const LinearPage &page) {
     const PlotStroke outline{plot_ink(pen.look.theme), 0.09f * pen.em};
     for (const XrayTest &t : pen.xray.tests)
         if (t.near)
@@ -110,7 +100,7 @@ float draw_names(const Pen &pen, glm::vec2 corner, float width) {
 }
 
 /// The numbers at the cursor, on a ground of their own beside the rule.
-void draw_figures(const Pen &pen, const Page &page, double cursor) {
+void draw_figures(const Pen &pen, const LinearPage &page, double cursor) {
     const auto &points = pen.xray.points;
     const auto after = std::ranges::lower_bound(points, cursor, {}, &XrayPoint::at);
     const XrayPoint &p = after == points.end() ? points.back() : *after;
@@ -145,7 +135,7 @@ XrayPlaces draw_xray_plot(Canvas &canvas, const PlotBox &box, const LinkXray &xr
     const float em = look.text, left = box.low.x + 4.6f * em, right = box.high.x - 0.8f * em;
     const float names = draw_names(pen, {box.low.x + 0.4f * em, box.low.y + 0.2f * em}, box.width() - 0.8f * em);
     const float top = box.low.y + names + 2.1f * em, bottom = box.high.y - 3.2f * em;
-    const Page page{{{left, top}, {right, std::max(top + 2 * em, bottom)}}, {0, xray.length()}, value_axis(pen)};
+    const LinearPage page{{{left, top}, {right, std::max(top + 2 * em, bottom)}}, {0, xray.length()}, value_axis(pen)};
     draw_axes(canvas, page.box, marks_of(page.x, "from P to Q across the receiver [length]", true, labels_in(right - left, 4 * em)),
               marks_of(page.y, "reflected [W/m\u00b2]", true, labels_in(page.box.height(), 2.2f * em)), look);
     canvas.clip(page.box);

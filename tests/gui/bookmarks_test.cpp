@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace penumbra::gui {
 namespace {
 
@@ -84,6 +86,26 @@ TEST_F(BookmarksTest, AStateKeepsThemWithTheirCaptions) {
     session.drop(saved["saved"].get<std::string>());
     const Json again = session.wait_until("one", [](const Json &s) { return s["bookmarks"].size() == 1; });
     EXPECT_EQ(again["bookmarks"], saved["bookmarks"]);
+}
+
+TEST_F(BookmarksTest, WhatCannotBeIsToldAndTheWindowStays) {
+    keep(1);
+    keep(2);
+    session.key("ctrl+s");
+    const Json saved = session.wait_until("a file", [](const Json &s) { return s["saved"] != ""; });
+    Json state = Json::parse(std::ifstream(saved["saved"].get<std::string>()));
+    state["bookmarks"][1]["moves"] = Json::array({{{"surface", 99}, {"offset", {0, 0, 1}}, {"scale", 1}}});
+    const auto file = session.folder() / "impossible.penumbra.json";
+    std::ofstream(file) << state.dump();
+    session.drop(file);
+    session.wait_until("the state", [](const Json &s) { return s["opening"] == "" && s["bookmarks"][1]["moves"].size() == 1; });
+    session.settled();
+    session.key("Next");
+    session.wait_until("the next of them", [](const Json &s) { return s["message_is_error"] == true; });
+    EXPECT_NE(session.state()["message"].get<std::string>().find("surface 99"), std::string::npos);
+    EXPECT_TRUE(session.state()["moves"].empty());
+    session.key("m");
+    session.wait_until("still a window", [](const Json &s) { return s["layers"]["mesh"] == false; });
 }
 
 } // namespace
