@@ -72,8 +72,10 @@ void restore(AppState &state, const SavedState &saved) {
         state.pinned_curve = saved.look.spotlight.curve;
     state.truth.range_locked = saved.error_range_locked && saved.look.error_range;
     state.caption = saved.caption;
-    if (!saved.bookmarks.empty())
+    if (!saved.bookmarks.empty()) {
         state.bookmarks = saved.bookmarks;
+        state.bookmark = -1;
+    }
     state.keyhole_to_open = saved.keyhole;
     state.profile_to_open = saved.profile;
 }
