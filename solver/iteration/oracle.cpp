@@ -127,6 +127,23 @@ void Oracle::judge_what_is_below_black(std::vector<std::vector<Judgement>> &judg
             fail_darkest(ElementId(leaf), dark[leaf], aim, judgements);
 }
 
+/// Its mean over the receiver is below black already: a source's polynomial is, which those of its children are less.
+void Oracle::split_sources(const Interaction &interaction, Judgement &judgement) const {
+    std::vector<ElementId> sources;
+    for (const Link &link : interaction.links) {
+        const Element &q = state_.forest[link.source];
+        if (q.leaf())
+            sources.push_back(link.source);
+        for (int c = 0; c < q.n_children; ++c)
+            sources.push_back(ElementId(q.first_child.index + c));
+    }
+    if (sources.size() == interaction.links.size())
+        return;
+    judgement.sources = std::move(sources);
+    if (judgement.verdict == Verdict::keep)
+        judgement.verdict = Verdict::relink;
+}
+
 void Oracle::fail_darkest(ElementId leaf, const Darkness &dark, double aim,
                           std::vector<std::vector<Judgement>> &judgements) const {
     struct Part {
@@ -140,9 +157,14 @@ void Oracle::fail_darkest(ElementId leaf, const Darkness &dark, double aim,
         for (std::size_t i = 0; i < judgements[node.at()].size(); ++i) {
             const Interaction &interaction = *state_.interactions[node.at()][i];
             const double value = (rho * LinkFit(state_.forest, interaction, state_.radiosity).at(dark.at)).minCoeff();
-            if (value >= 0 || interaction.fit.damping == 0)
+            Judgement &j = judgements[node.at()][i];
+            if (value >= 0 || j.weak)
                 continue;
-            parts.push_back({value, &judgements[node.at()][i]});
+            if (interaction.fit.damping == 0) {
+                split_sources(interaction, j);
+                continue;
+            }
+            parts.push_back({value, &j});
             sum += value;
         }
     std::ranges::sort(parts, {}, &Part::value);

@@ -32,7 +32,7 @@ public:
 
     /// Of all interactions, as they stand in the state. Light is not negative: a leaf that is by more than passes shows that
     /// fits, each of which may have passed, miss too much together. Those fail that bring the most below black where it is
-    /// darkest, until what the others bring passes.
+    /// darkest, until what the others bring passes; of those that have no detail left the sources are split.
     std::vector<std::vector<Judgement>> judge_all() const;
     /// What links from that surface may leave out.
     Leeway leeway(ElementId receiver, SurfaceId source) const;
@@ -46,6 +46,7 @@ public:
 private:
     Judgement judge(const Interaction &interaction) const;
     void judge_what_is_below_black(std::vector<std::vector<Judgement>> &judgements) const;
+    void split_sources(const Interaction &interaction, Judgement &judgement) const;
     void fail_darkest(ElementId leaf, const Darkness &dark, double aim, std::vector<std::vector<Judgement>> &judgements) const;
     Rgb largest_radiosity(SurfaceId s) const;
     double slack(ElementId receiver, SurfaceId source) const;

@@ -20,15 +20,18 @@ struct Leaves {
     std::vector<double> shares, cumulative; ///< cumulative[i]: of all before and leaf i
 
     Leaves(const Scene &scene, const Forest &forest) {
-        double area = 0;
+        double area = 0, n_at_limit = 0;
         for (std::size_t e = 0; e < forest.elements.size(); ++e)
             if (const Element &element = forest.elements[e]; element.leaf() && scene.reflects(element.surface)) {
                 ids.emplace_back(e);
                 area += element.basis.area();
+                n_at_limit += element.at_limit;
             }
+        const double by_limit = n_at_limit > 0 ? 0.25 : 0, by_leaf = 0.5 - by_limit;
         double sum = 0;
         for (const ElementId e : ids) {
-            shares.push_back(0.5 * forest[e].basis.area() / area + 0.5 / static_cast<double>(ids.size()));
+            shares.push_back(0.5 * forest[e].basis.area() / area + by_leaf / static_cast<double>(ids.size()) +
+                             (forest[e].at_limit ? by_limit / n_at_limit : 0));
             cumulative.push_back(sum += shares.back());
         }
     }

@@ -48,7 +48,8 @@ struct ResidualSampling {
     std::uint64_t seed = 0;
 };
 
-/// Fresh random points, nothing gathered yet: half of them fall by area, half by leaves of `judged`. Batch after batch,
+/// Fresh random points, nothing gathered yet: half of them fall by area, half by leaves of `judged`, and of these half by
+/// those that a limit keeps, if there are any: most of the error may lie in slivers of a few of them. Batch after batch,
 /// n_points or fewer each (points under covers are left out).
 std::vector<std::vector<ResidualPoint>> draw_points(const Scene &scene, const Field &judged,
                                                     const ResidualSampling &sampling);

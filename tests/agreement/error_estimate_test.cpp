@@ -64,6 +64,41 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Delivered,
                              return name + "_" + std::to_string(std::lround(1000 * at.param.second));
                          });
 
+TEST(FreshPoints, AQuarterFallsWhereALimitKeepsLeavesAndAreasStayUnbiased) {
+    // A leaf a surface, nothing covered.
+    const Scene scene = open_scene("stairs", {});
+    Forest forest = plant(scene, 2);
+    const Coefficients dark = Coefficients::Zero(forest.n_coefficients, 3);
+    std::vector<ElementId> leaves;
+    double area = 0;
+    for (std::size_t e = 0; e < forest.elements.size(); ++e)
+        if (scene.reflects(forest.elements[e].surface)) {
+            leaves.emplace_back(e);
+            area += forest.elements[e].basis.area();
+        }
+    ASSERT_GT(leaves.size(), 2u);
+    Element &kept = forest[leaves[1]];
+    ResidualSampling sampling;
+    sampling.n_batches = 1;
+    sampling.n_points = 4096;
+    for (const bool at_limit : {false, true}) {
+        kept.at_limit = at_limit;
+        const auto batches = draw_points(scene, {forest, dark}, sampling);
+        ASSERT_EQ(batches.front().size(), 4096u);
+        double n = 0, all = 0, of_it = 0;
+        for (const ResidualPoint &p : batches.front()) {
+            all += p.area;
+            n += p.surface == kept.surface;
+            of_it += p.surface == kept.surface ? p.area : 0;
+        }
+        const double by_leaf = 1 / static_cast<double>(leaves.size()), by_area = kept.basis.area() / area;
+        const double share = at_limit ? 0.5 * by_area + 0.25 * by_leaf + 0.25 : 0.5 * by_area + 0.5 * by_leaf;
+        EXPECT_NEAR(n / 4096, share, 2.0 / 4096) << "strata of equal share";
+        EXPECT_NEAR(all, area, 1e-3 * area);
+        EXPECT_NEAR(of_it, kept.basis.area(), 2e-3 * area);
+    }
+}
+
 TEST(ErrorEstimate, OfAFurnaceIsWhatTheBouncesToComeBring) {
     // E = 1 and rho = 0.5 on all walls of a closed box: after k gathers B = 2 - 2^-k, B - E = 1 - 2^-k, r = 2^-k / 2, and
     // 2^-k is missing.
