@@ -222,11 +222,12 @@ struct AppState {
     bool playing = false;
     double phases_per_second = 2; ///< of playing
     std::optional<int> split;     ///< splits of the refinement at `position` that are shown (split_verbs.h); none: all
+    std::optional<int> linking;   ///< pairs that it linked, of which so many are shown, where `split` is none; none: all
     bool animates_splits = true;  ///< while playing
     bool seeking = false;         ///< goes on until a cut is shown
     int stepped_from = 0;         ///< position that the last step forward began at
     bool before_by_key = false, before_by_mouse = false; ///< held down: panes show what was before the last step
-    std::map<std::uint64_t, std::shared_ptr<const Snapshot>> split_snapshots; ///< of the panes that `split` is for
+    std::map<std::uint64_t, std::shared_ptr<const Snapshot>> split_snapshots; ///< of the panes that `split` or `linking` is for
     bool halted = false;   ///< cancelled: nothing is computed until something is asked for again
     std::optional<Busy> busy;
     std::string opening;   ///< scene that is being read; empty: none
@@ -336,9 +337,8 @@ struct AppState {
         if (!solution)
             return solution;
         if (!reconstructs(pane)) {
-            const int n = place.split ? std::clamp(*place.split, 0, n_events(*solution)) : 0;
-            const auto found = split_snapshots.find(version_after(*solution, n));
-            return found == split_snapshots.end() || !place.split ? solution : found->second;
+            const auto found = split_snapshots.find(version_of(*solution, {place.split, place.linking}));
+            return found == split_snapshots.end() ? solution : found->second;
         }
         const auto found = reconstructions.find(solution->version);
         return found == reconstructions.end() ? solution : found->second;

@@ -52,6 +52,7 @@ void restore(AppState &state, const SavedState &saved) {
     restore_panes(state, saved);
     state.position = saved.position;
     state.split = saved.split;
+    state.linking = saved.linking;
     state.hint_done = state.hint_done || saved.position > 0;
     if (saved.camera)
         state.camera = *saved.camera;

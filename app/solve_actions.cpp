@@ -93,6 +93,9 @@ void pause_and(AppState &s) {
 bool can_go_on_by_splits(const AppState &s) {
     return can_go_on(s) || shown_splits(s).value_or(n_splits(s)) < n_splits(s);
 }
+bool can_go_on_by_links(const AppState &s) {
+    return can_go_on(s) || shown_splits(s) || shown_linkings(s).value_or(n_linkings(s)) < n_linkings(s);
+}
 template <int halvings>
 void change_speed(AppState &s) {
     set_speed(s, std::ldexp(s.phases_per_second, halvings));
@@ -122,6 +125,10 @@ std::vector<Action> solve_actions() {
          {"Ctrl+Right"}, pause_and<next_split>, can_go_on_by_splits},
         {"solve.split_back", Menu::solve, "Previous split", "One split back; before the first one, one phase.",
          {"Ctrl+Left"}, pause_and<previous_split>, can_go_back},
+        {"solve.link", Menu::solve, "Next link", "One pair linked, after all splits; where a refinement has no more, the first of the next.",
+         {"Ctrl+Down"}, pause_and<next_linking>, can_go_on_by_links},
+        {"solve.link_back", Menu::solve, "Previous link", "One pair back; before the first one, the last split.",
+         {"Ctrl+Up"}, pause_and<previous_linking>, can_go_back},
         {"solve.next_cut", Menu::solve, "To the next cut", "Goes on until an element was cut along a discontinuity curve.",
          {"Ctrl+Shift+Right"}, seek_cut, can_go_on_by_splits},
         {"solve.animate", Menu::solve, "Animate splits", "Playing shows the splits of each refinement one by one.",

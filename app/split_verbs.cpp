@@ -35,12 +35,56 @@ std::optional<int> shown_splits(const AppState &state) {
     return state.split && n > 0 ? std::optional(std::clamp(*state.split, 1, n)) : std::nullopt;
 }
 
+int n_linkings(const AppState &state) {
+    return is_there(state) ? n_linkings(*state.snapshot(state.active_strategy())) : 0;
+}
+
+std::optional<int> shown_linkings(const AppState &state) {
+    const int n = n_linkings(state);
+    return state.linking && !state.split && n > 0 ? std::optional(std::clamp(*state.linking, 1, n)) : std::nullopt;
+}
+
 void show_splits(AppState &state, int k) {
     state.seeking = false;
     state.split = k;
+    state.linking.reset();
     state.fresh_since = Clock::now();
     if (n_splits(state) > 0)
         state.message = {events(state)[static_cast<std::size_t>(*shown_splits(state) - 1)].sentence, false};
+}
+
+void show_linkings(AppState &state, int k) {
+    state.seeking = false;
+    state.split.reset();
+    state.linking = k;
+    state.fresh_since = Clock::now();
+    if (const auto shown = shown_linkings(state))
+        state.message = {(*state.snapshot(state.active_strategy())->linkings)[static_cast<std::size_t>(*shown - 1)].sentence, false};
+}
+
+void next_linking(AppState &state) {
+    const int n = n_linkings(state);
+    const int k = shown_splits(state) ? 0 : shown_linkings(state).value_or(n);
+    if (k < n) {
+        show_linkings(state, k + 1);
+        return;
+    }
+    const int there = next_refinement(state.position);
+    go_to(state, there);
+    if (state.position == there)
+        show_linkings(state, 1);
+}
+
+void previous_linking(AppState &state) {
+    const auto k = shown_linkings(state);
+    if (k && *k == 1 && n_splits(state) > 0)
+        show_splits(state, n_splits(state));
+    else if (k && *k > 1)
+        show_linkings(state, *k - 1);
+    else if (!k && !shown_splits(state) && n_linkings(state) > 0)
+        show_linkings(state, n_linkings(state));
+    else
+        previous_split(state);
 }
 
 void next_split(AppState &state) {
@@ -55,6 +99,10 @@ void next_split(AppState &state) {
 }
 
 void previous_split(AppState &state) {
+    if (shown_linkings(state) && n_splits(state) > 0) {
+        show_splits(state, n_splits(state));
+        return;
+    }
     if (const int k = shown_splits(state).value_or(n_splits(state)); k > 1) {
         show_splits(state, k - 1);
         return;
@@ -121,27 +169,29 @@ void bring_splits(AppState &state) {
     for (int pane = 0; pane < n_panes(state.layout); ++pane) {
         const Place place = state.shown_place();
         const auto whole = state.timeline(state.panes().strategies[static_cast<std::size_t>(pane)]).at(place.position);
-        if (!whole || !place.split || n_events(*whole) == 0)
+        const RefinementPart part{place.split, place.linking};
+        if (!whole || version_of(*whole, part) == whole->version)
             continue;
-        const int n = std::clamp(*place.split, 0, n_events(*whole));
-        const std::uint64_t version = version_after(*whole, n);
+        const std::uint64_t version = version_of(*whole, part);
         const auto found = state.split_snapshots.find(version);
-        wanted[version] = found == state.split_snapshots.end() ? after_splits(*whole, n) : found->second;
+        wanted[version] = found == state.split_snapshots.end() ? part_of(*whole, part) : found->second;
     }
     state.split_snapshots = std::move(wanted);
 }
 
 Place AppState::shown_place() const {
-    return shows_before() ? place_before(*this) : Place{position, split};
+    return shows_before() ? place_before(*this) : Place{position, split, linking};
 }
 
 Place place_before(const AppState &state) {
     if (const auto k = shown_splits(state); k && *k > 1)
-        return {state.position, *k - 1};
+        return {state.position, *k - 1, std::nullopt};
+    if (const auto k = shown_linkings(state))
+        return {state.position, std::nullopt, *k - 1};
     const int at = state.shown_position();
     if (!shown_splits(state) && state.stepped_from < at)
-        return {state.stepped_from, std::nullopt};
-    return {std::max(0, at - 1), std::nullopt};
+        return {state.stepped_from};
+    return {std::max(0, at - 1)};
 }
 
 } // namespace penumbra

@@ -1,5 +1,5 @@
-// Inside a refinement: its splits one by one. While AppState::split is set, every pane shows its own first ones of that
-// number (one with fewer, all); what is counted and told is the active pane's.
+// Inside a refinement: its splits one by one, and then the pairs that it linked. While AppState::split or ::linking is set,
+// every pane shows its own first ones of that number (one with fewer, all); what is counted and told is the active pane's.
 #pragma once
 
 #include "app_state.h"
@@ -20,6 +20,16 @@ void show_splits(AppState &state, int k);
 void next_split(AppState &state);
 /// The way back; a refinement is entered at its last split.
 void previous_split(AppState &state);
+
+/// Pairs linked by the refinement at the present position, in the active pane, and how many of them are shown, as above.
+int n_linkings(const AppState &state);
+std::optional<int> shown_linkings(const AppState &state);
+/// Shows all splits and the first k pairs linked, 1 <= k <= n_linkings, and tells of the last of these.
+void show_linkings(AppState &state, int k);
+/// One pair on or back. Where all is shown, or nothing is left, to the first one of the next refinement; before the first one,
+/// to the last split.
+void next_linking(AppState &state);
+void previous_linking(AppState &state);
 
 /// Goes on, refinement after refinement, until the last split shown is a cut along a curve, or there is nothing more.
 void seek_cut(AppState &state);

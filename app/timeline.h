@@ -39,10 +39,10 @@ constexpr int step_back(int position) {
     return std::max(0, (position - 1) / phases_per_iteration * phases_per_iteration);
 }
 
-/// A position, and within a refinement the number of its splits that are shown.
+/// A position, and within a refinement the number of its splits, or of its pairs linked after all splits, that are shown.
 struct Place {
     int position = 0;
-    std::optional<int> split{}; ///< none: all
+    std::optional<int> split{}, linking{}; ///< none: all
 };
 
 /// What one strategy has computed so far.

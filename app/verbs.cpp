@@ -48,6 +48,8 @@ std::string end_sentence(const AppState &state) {
 void tell(AppState &state) {
     if (const auto k = shown_splits(state))
         show_splits(state, *k);
+    else if (const auto linking = shown_linkings(state))
+        show_linkings(state, *linking);
     else if (const auto snapshot = state.snapshot(state.active_strategy()))
         state.message = {snapshot->sentence, false};
 }
@@ -66,6 +68,7 @@ void start_anew(AppState &state) {
     state.reconstructions.clear();
     state.truth.halted = false;
     state.split.reset();
+    state.linking.reset();
     state.seeking = false;
     state.stepped_from = state.position;
     state.split_snapshots.clear();
@@ -194,6 +197,7 @@ void go_to(AppState &state, int position) {
     if (position != state.position)
         state.stepped_from = state.position;
     state.split.reset();
+    state.linking.reset();
     state.position = all_ended(state) ? std::min(position, end_position(state)) : position;
     state.fresh_since = Clock::now();
     if (all_reached(state))

@@ -49,7 +49,7 @@ struct RenderOptions {
     std::optional<int> steps;    ///< none: to `position`
     std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
     Phase phase = Phase::pushed_pulled; ///< that the last of `steps` stops after
-    std::optional<int> split;    ///< of a saved state: so many of the refinement's splits are shown; none: all
+    RefinementPart part{};       ///< of a saved state
     bool priced = true;          ///< two panes have a sentence on what they took
     std::optional<bool> price_asked; ///< said on the command line
     LookOptions look;
@@ -78,7 +78,7 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
     if (!state.converged)
         options.position = state.position;
     options.look.camera = state.camera;
-    options.split = state.split;
+    options.part = {state.split, state.linking};
     options.look.width = picture.width;
     options.look.height = picture.height;
     options.look.look = state.look;
@@ -137,10 +137,10 @@ Camera camera_of(const RenderOptions &options, const Scene &scene, const Snapsho
     return first_view(seen, snapshot, aspect);
 }
 
-/// As it was to be shown: perhaps with the first splits of a refinement alone.
+/// As it was to be shown: perhaps with a part of a refinement alone.
 std::shared_ptr<const Snapshot> shown(std::shared_ptr<const Snapshot> snapshot, const RenderOptions &options) {
-    const int n = n_events(*snapshot);
-    return options.split && !options.steps && n > 0 ? after_splits(*snapshot, std::min(*options.split, n)) : snapshot;
+    const auto part = options.steps ? nullptr : part_of(*snapshot, options.part);
+    return part ? part : snapshot;
 }
 
 std::string tag_of(Strategy strategy) { return std::string("(") + "abcd"[static_cast<int>(strategy)] + ")"; }

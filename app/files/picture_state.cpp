@@ -27,6 +27,8 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
         saved.converged &= snapshot.counters.converged;
         if (snapshot.n_shown_events > 0)
             saved.split = std::max(saved.split.value_or(0), static_cast<int>(snapshot.n_shown_events));
+        if (snapshot.n_shown_linkings > 0)
+            saved.linking = std::max(saved.linking.value_or(0), static_cast<int>(snapshot.n_shown_linkings));
     }
     saved.caption = spec.caption;
     saved.camera = spec.camera;

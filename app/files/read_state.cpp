@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t longest_line = 4096, most_bookmarks = 100;
 constexpr int most_iterations = 1'000'000, most_surfaces = 1'000'000, most_curves = 100'000'000,
-              most_splits = 10'000'000;
+              most_events = 10'000'000;
 constexpr std::size_t most_moves = 1000;
 constexpr double farthest = 1e15; ///< of coordinates; the largest scene is far smaller
 
@@ -293,7 +293,9 @@ void read_view(const JsonValue &root, SavedState &state) {
     state.options.strategy = state.strategies[static_cast<std::size_t>(state.active)];
     state.position = read_position(root);
     if (const auto split = root.known("split"))
-        state.split = static_cast<int>(split->integer(1, most_splits));
+        state.split = static_cast<int>(split->integer(1, most_events));
+    if (const auto linking = root.known("linking"))
+        state.linking = static_cast<int>(linking->integer(1, most_events));
     read_flag(root, "converged", state.converged);
     if (const auto camera = root.known("camera"))
         state.camera = read_camera(*camera);

@@ -39,6 +39,7 @@ struct SavedState {
     int active = 0;                                                       ///< pane
     int position = 0;                                                     ///< see timeline.h
     std::optional<int> split = {}; ///< splits of the refinement there that are shown; none: all
+    std::optional<int> linking = {}; ///< pairs that it linked, of which so many are shown after all splits; none: all
     bool converged = false;                                               ///< every pane stands at its fixed point
     std::optional<Camera> camera = {};                                    ///< none: the scene's first view
     Look look = {};

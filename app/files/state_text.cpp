@@ -59,6 +59,7 @@ Json pane(const AppState &s, int pane) {
         j["iteration"] = snapshot->counters.iteration;
         j["phase"] = name(snapshot->phase);
         j["split"] = snapshot->n_shown_events;
+        j["linking"] = snapshot->n_shown_linkings;
         j["patches"] = snapshot->counters.patches;
         j["coefficients"] = snapshot->counters.coefficients;
         j["links"] = snapshot->counters.links;
@@ -192,6 +193,7 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
     saved.active = s.panes().active;
     saved.position = shown_position(s);
     saved.split = s.shows_before() ? s.shown_place().split : shown_splits(s);
+    saved.linking = s.shows_before() ? s.shown_place().linking : shown_linkings(s);
     saved.converged = all_converged(s);
     if (s.camera_is_set)
         saved.camera = s.camera;
@@ -245,6 +247,7 @@ std::string observed_state_text(const AppState &s) {
     j["ui_scale"] = s.ui_scale;
     j["speed"] = s.phases_per_second;
     j["splits"] = n_splits(s);
+    j["linkings"] = n_linkings(s);
     j["animates_splits"] = s.animates_splits;
     j["seeking"] = s.seeking;
     j["before"] = s.shows_before();

@@ -66,6 +66,7 @@ Json view_json(const SavedState &s) {
     j["iteration"] = iteration_of(s.position);
     j["phase"] = name(phase_of(s.position));
     j["split"] = s.split ? Json(*s.split) : Json();
+    j["linking"] = s.linking ? Json(*s.linking) : Json();
     j["converged"] = s.converged;
     j["layout"] = s.strategies.size() == 1 ? "single" : s.strategies.size() == 2 ? "two" : "four";
     j["strategies"] = strategies;

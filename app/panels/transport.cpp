@@ -35,36 +35,81 @@ void draw_buttons(AppState &state) {
 /// or a drag goes there.
 void draw_splits(AppState &state, const ImVec2 &low, float width, float height) {
     const int n = n_splits(state);
-    if (n == 0)
-        return;
-    const int shown = shown_splits(state).value_or(n);
-    const std::string text = shown_splits(state) ? "refine \u00b7 split " + std::to_string(shown) + " of " + std::to_string(n)
-                                                 : "refine \u00b7 " + count_words(n) + (n == 1 ? " split" : " splits");
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    const float size = 0.85f * em(), label = em(10), left = low.x + label;
-    list.AddText(nullptr, size, {low.x, low.y + 0.5f * (height - size)}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
-    const float step = std::min(em(1.1f), (width - label) / static_cast<float>(n));
+    const auto here = shown_splits(state);
+    const int shown = here.value_or(n);
+    const float step = std::min(em(1.1f), width / static_cast<float>(n));
     if (step <= 0)
         return;
-    ImGui::SetCursorScreenPos({left, low.y});
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("splits", {step * static_cast<float>(n), height});
     mark(state, "splits");
     const auto &events = *state.snapshot(state.active_strategy())->events;
     const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.45f), full = ImGui::GetColorU32(ImGuiCol_Text),
                 accent = ImGui::GetColorU32(ImGuiCol_CheckMark);
     for (int k = 1; k <= n; ++k) {
-        const bool cut = events[static_cast<std::size_t>(k - 1)].cut, newest = shown_splits(state) == k;
-        const float x = left + step * (static_cast<float>(k) - 0.5f), reach = (cut || newest ? 0.42f : 0.22f) * height,
+        const bool cut = events[static_cast<std::size_t>(k - 1)].cut, newest = here == k;
+        const float x = low.x + step * (static_cast<float>(k) - 0.5f), reach = (cut || newest ? 0.42f : 0.22f) * height,
                     middle = low.y + 0.5f * height;
         list.AddLine({x, middle - reach}, {x, middle + reach}, newest ? accent : k <= shown ? full : faint,
                      newest ? 3.f : std::clamp(0.4f * step, 1.f, 2.f));
     }
-    const int over = std::clamp(1 + static_cast<int>((ImGui::GetMousePos().x - left) / step), 1, n);
+    const int over = std::clamp(1 + static_cast<int>((ImGui::GetMousePos().x - low.x) / step), 1, n);
     tooltip("Split " + std::to_string(over) + " of " + std::to_string(n), events[static_cast<std::size_t>(over - 1)].sentence);
-    if (ImGui::IsItemActive() && shown_splits(state) != over) {
+    if (ImGui::IsItemActive() && here != over) {
         state.playing = false;
         show_splits(state, over);
     }
+}
+
+/// Beside them: the pairs that it linked then, as a bar that is full as far as they are shown.
+void draw_linkings(AppState &state, const ImVec2 &low, float width, float height) {
+    const int n = n_linkings(state);
+    if (width <= 0)
+        return;
+    const auto here = shown_linkings(state);
+    const int shown = shown_splits(state) ? 0 : here.value_or(n);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    ImGui::SetCursorScreenPos(low);
+    ImGui::InvisibleButton("linkings", {width, height});
+    mark(state, "linkings");
+    const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.45f), full = ImGui::GetColorU32(ImGuiCol_Text),
+                accent = ImGui::GetColorU32(ImGuiCol_CheckMark);
+    const float middle = low.y + 0.5f * height, x = low.x + width * static_cast<float>(shown) / static_cast<float>(n);
+    list.AddLine({low.x, middle}, {low.x + width, middle}, faint, 0.2f * height);
+    list.AddLine({low.x, middle}, {x, middle}, full, 0.2f * height);
+    if (here)
+        list.AddLine({x, middle - 0.42f * height}, {x, middle + 0.42f * height}, accent, 3);
+    const int over = std::clamp(1 + static_cast<int>((ImGui::GetMousePos().x - low.x) / width * static_cast<float>(n)), 1, n);
+    const auto &linkings = *state.snapshot(state.active_strategy())->linkings;
+    tooltip("Link " + std::to_string(over) + " of " + std::to_string(n), linkings[static_cast<std::size_t>(over - 1)].sentence);
+    if (ImGui::IsItemActive() && here != over) {
+        state.playing = false;
+        show_linkings(state, over);
+    }
+}
+
+/// The refinement at which we stand, event by event.
+void draw_refinement(AppState &state, const ImVec2 &low, float width, float height) {
+    const int n = n_splits(state), m = n_linkings(state);
+    if (n + m == 0)
+        return;
+    const auto of = [](int k, int all) { return std::to_string(k) + " of " + std::to_string(all); };
+    const std::string splits = count_words(n) + (n == 1 ? " split" : " splits"), links = count_words(m) + (m == 1 ? " link" : " links");
+    const std::string text = shown_splits(state)     ? "split " + of(*shown_splits(state), n)
+                             : shown_linkings(state) ? "link " + of(*shown_linkings(state), m)
+                             : n == 0                ? links
+                             : m == 0                ? splits
+                                                     : splits + ", " + links;
+    const float size = 0.85f * em(), label = em(12), gap = n > 0 && m > 0 ? em() : 0;
+    ImGui::GetWindowDrawList()->AddText(nullptr, size, {low.x, low.y + 0.5f * (height - size)}, ImGui::GetColorU32(ImGuiCol_Text),
+                                        ("refine \u00b7 " + text).c_str());
+    const float left = low.x + label, room = width - label - gap;
+    const float ticks = n == 0 ? 0 : m == 0 ? room : std::min(0.6f * room, em(1.1f) * static_cast<float>(n));
+    if (n > 0)
+        draw_splits(state, {left, low.y}, ticks, height);
+    if (m > 0)
+        draw_linkings(state, {left + ticks + gap, low.y}, std::min(room - ticks, em(14)), height);
 }
 
 /// The course as a line of beads, three to an iteration: filled as far as computed, ringed where we stand. A click
@@ -141,7 +186,7 @@ void draw_transport(AppState &state, const WindowRect &rect) {
     const ImVec2 corner(ImGui::GetCursorScreenPos().x, rect.y + 0.3f * em());
     ImGui::SetCursorScreenPos(corner);
     draw_course(state, width);
-    draw_splits(state, {corner.x, corner.y + em(1.8f)}, width, em(1.1f));
+    draw_refinement(state, {corner.x, corner.y + em(1.8f)}, width, em(1.1f));
     ImGui::SetCursorPos({here + width + em(1), 0.5f * (rect.height - em(1.9f))});
     draw_work(state);
     ImGui::End();

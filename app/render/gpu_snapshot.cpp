@@ -134,9 +134,24 @@ std::vector<glm::vec4> mesh_segments(const Snapshot &snapshot, const std::vector
     return texels;
 }
 
-/// The sides of its pieces, and the curve that it follows.
-std::vector<glm::vec4> newest_split_segments(const Snapshot &snapshot, const std::vector<MeshSide> &sides, const UnitSpace &unit) {
+/// The sides of the element, and what links it.
+std::vector<glm::vec4> newest_linking_segments(const Snapshot &snapshot, const UnitSpace &unit) {
     std::vector<glm::vec4> texels;
+    const int k = snapshot.n_shown_linkings - 1;
+    const std::vector<Vec3> &receiver = (*snapshot.linkings)[static_cast<std::size_t>(k)].receiver;
+    for (std::size_t c = 0; c < receiver.size(); ++c)
+        add_segment(texels, unit(receiver[c]), unit(receiver[(c + 1) % receiver.size()]), styles::newest_side, -1);
+    for (const SnapshotLink &link : snapshot.links)
+        if (link.linking == k)
+            add_segment(texels, unit(link.receiver), unit(link.source), styles::newest_side, -1);
+    return texels;
+}
+
+/// The sides of its pieces, and the curve that it follows; or the pair that was linked last.
+std::vector<glm::vec4> newest_event_segments(const Snapshot &snapshot, const std::vector<MeshSide> &sides, const UnitSpace &unit) {
+    std::vector<glm::vec4> texels;
+    if (snapshot.n_shown_linkings > 0)
+        return newest_linking_segments(snapshot, unit);
     if (snapshot.n_shown_events <= 0)
         return texels;
     for (const MeshSide &side : sides) {
@@ -211,7 +226,7 @@ void GpuSnapshot::upload(const Snapshot &snapshot) {
     coefficients.upload(texels);
 
     mesh_lines.upload(mesh_segments(snapshot, mesh.sides, unit));
-    newest_split.upload(newest_split_segments(snapshot, mesh.sides, unit));
+    newest_event.upload(newest_event_segments(snapshot, mesh.sides, unit));
     outlines.upload(outline_segments(snapshot, unit));
     links.upload(link_segments(snapshot, unit));
 

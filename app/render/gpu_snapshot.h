@@ -28,7 +28,7 @@ struct GpuSnapshot {
 
     gl::TextureBuffer surfaces, patches, coefficients, vertices, tints;
     gl::TextureBuffer mesh_lines, outlines, curves, links;
-    gl::TextureBuffer newest_split; ///< empty but in the middle of a refinement
+    gl::TextureBuffer newest_event; ///< empty but in the middle of a refinement
     int n_vertices = 0; ///< of the patches' triangles
     std::vector<TintGroup> covers, glass;
     std::vector<glm::vec4> surface_planes; ///< normal, offset: positive for points in front

@@ -113,6 +113,8 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const Err
         label.footnote += "step " + std::to_string(c.iteration) + ", after " +
                           (snapshot.n_shown_events > 0
                                ? "split " + std::to_string(snapshot.n_shown_events) + " of " + std::to_string(snapshot.events->size())
+                           : snapshot.n_shown_linkings > 0
+                               ? "link " + std::to_string(snapshot.n_shown_linkings) + " of " + std::to_string(snapshot.linkings->size())
                                : std::string(name(snapshot.phase)));
     return label;
 }

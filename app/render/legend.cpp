@@ -234,7 +234,9 @@ std::vector<LegendEntry> line_entries(const Look &look, const std::vector<const 
             add_mesh(SideKind::cut, false, "cut along a curve");
     }
     if (std::ranges::any_of(snapshots, [](const Snapshot *s) { return s->n_shown_events > 0; }))
-        entries.push_back({to_imgui(newest_split_colour()), newest_split_width(), 0, 1, "this split"});
+        entries.push_back({to_imgui(newest_event_colour()), newest_event_width(), 0, 1, "this split"});
+    if (std::ranges::any_of(snapshots, [](const Snapshot *s) { return s->n_shown_linkings > 0; }))
+        entries.push_back({to_imgui(newest_event_colour()), newest_event_width(), 0, 1, "this link"});
     if (look.layers.curves)
         for (const auto &[kind, order] : curves) {
             const CurveStroke stroke = curve_stroke(order);

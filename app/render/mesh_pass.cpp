@@ -23,17 +23,17 @@ void draw_mesh(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu
     lines.draw(frame, gpu.mesh_lines, styles, 4e-4f);
 }
 
-glm::vec4 newest_split_colour() { return {0.941, 0.894, 0.259, 1}; } // yellow, which no kind of curve has
-float newest_split_width() { return 2.5f; }
+glm::vec4 newest_event_colour() { return {0.941, 0.894, 0.259, 1}; } // yellow, which no kind of curve has
+float newest_event_width() { return 2.5f; }
 
-void draw_newest_split(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu) {
-    if (gpu.newest_split.size() == 0)
+void draw_newest_event(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu) {
+    if (gpu.newest_event.size() == 0)
         return;
     LineStyles styles;
-    styles.set(styles::newest_side, newest_split_colour(), newest_split_width());
+    styles.set(styles::newest_side, newest_event_colour(), newest_event_width());
     for (int kind = 0; kind < 5; ++kind)
         styles.set(styles::newest_curve(kind), curve_rgba(kind), 4.f);
-    lines.draw(frame, gpu.newest_split, styles, 1e-3f, {0.03, 0.04, 0.06, 0.85});
+    lines.draw(frame, gpu.newest_event, styles, 1e-3f, {0.03, 0.04, 0.06, 0.85});
 }
 
 glm::vec4 outline_colour(SurfaceRole role, Theme theme) {

@@ -13,9 +13,9 @@ float mesh_width(SideKind kind, bool fresh);
 
 void draw_mesh(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu);
 /// The last split shown in the middle of a refinement.
-glm::vec4 newest_split_colour();
-float newest_split_width();
-void draw_newest_split(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu);
+glm::vec4 newest_event_colour();
+float newest_event_width();
+void draw_newest_event(const LinePass &lines, const Frame &frame, const GpuSnapshot &gpu);
 glm::vec4 outline_colour(SurfaceRole role, Theme theme);
 float outline_width(SurfaceRole role);
 /// Borders of all surfaces, so that rooms and lamps keep their shape with the mesh off.

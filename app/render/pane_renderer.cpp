@@ -193,7 +193,7 @@ void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect 
             draw_mesh(parts_->lines, frame, gpu);
         if (look.layers.curves)
             draw_curves(parts_->lines, frame, gpu);
-        draw_newest_split(parts_->lines, frame, gpu);
+        draw_newest_event(parts_->lines, frame, gpu);
         parts_->glass.draw_glass(frame, gpu);
         draw_outlines(parts_->lines, frame, gpu);
         if (look.layers.links)

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace penumbra {
@@ -19,7 +20,18 @@ std::vector<int> events_of_splits(const Snapshot &snapshot) {
     return events;
 }
 
+/// Links are those before the n-th linking; links that were replaced then are there.
+void take_back_linkings(int n, Snapshot &out) {
+    std::erase_if(out.links, [&](const SnapshotLink &l) { return l.linking >= n; });
+    for (int k = n; k < n_linkings(out); ++k) {
+        const auto &replaced = (*out.linkings)[static_cast<std::size_t>(k)].replaced;
+        out.links.insert(out.links.end(), replaced.begin(), replaced.end());
+    }
+}
+
 } // namespace
+
+int n_linkings(const Snapshot &snapshot) { return snapshot.linkings ? static_cast<int>(snapshot.linkings->size()) : 0; }
 
 int n_events(const Snapshot &snapshot) { return snapshot.events ? static_cast<int>(snapshot.events->size()) : 0; }
 
@@ -39,7 +51,7 @@ std::shared_ptr<const Snapshot> after_splits(const Snapshot &whole, int n) {
     std::erase_if(out->patches, [&](const SnapshotPatch &p) { return maker(p) >= n; });
     for (SnapshotPatch &p : out->patches)
         p.fresh = n > 0 && maker(p) == n - 1;
-    std::erase_if(out->links, [&](const SnapshotLink &l) { return l.event >= n; });
+    take_back_linkings(0, *out);
     Counters &c = out->counters;
     for (int k = n; k < n_events(whole); ++k) {
         const SnapshotEvent &event = (*whole.events)[static_cast<std::size_t>(k)];
@@ -55,6 +67,40 @@ std::shared_ptr<const Snapshot> after_splits(const Snapshot &whole, int n) {
     out->n_shown_events = n;
     out->version = version_after(whole, n);
     return out;
+}
+
+std::uint64_t version_after_linkings(const Snapshot &whole, int n) { return version_after(whole, n_events(whole) + 1 + n); }
+
+std::shared_ptr<const Snapshot> after_linkings(const Snapshot &whole, int n) {
+    PENUMBRA_CHECK(n, >=, 0);
+    PENUMBRA_CHECK(n, <=, n_linkings(whole));
+    auto out = std::make_shared<Snapshot>(whole);
+    if (!whole.linkings)
+        return out;
+    take_back_linkings(n, *out);
+    for (SnapshotPatch &p : out->patches)
+        p.fresh = false;
+    out->counters.links = static_cast<decltype(out->counters.links)>(out->links.size());
+    out->sentence = n > 0 ? (*whole.linkings)[static_cast<std::size_t>(n - 1)].sentence : "all splits made, nothing linked yet";
+    out->n_shown_linkings = n;
+    out->version = version_after_linkings(whole, n);
+    return out;
+}
+
+std::uint64_t version_of(const Snapshot &whole, const RefinementPart &part) {
+    if (part.splits && n_events(whole) > 0)
+        return version_after(whole, std::clamp(*part.splits, 0, n_events(whole)));
+    if (!part.splits && part.linkings && n_linkings(whole) > 0)
+        return version_after_linkings(whole, std::clamp(*part.linkings, 0, n_linkings(whole)));
+    return whole.version;
+}
+
+std::shared_ptr<const Snapshot> part_of(const Snapshot &whole, const RefinementPart &part) {
+    if (part.splits && n_events(whole) > 0)
+        return after_splits(whole, std::clamp(*part.splits, 0, n_events(whole)));
+    if (!part.splits && part.linkings && n_linkings(whole) > 0)
+        return after_linkings(whole, std::clamp(*part.linkings, 0, n_linkings(whole)));
+    return nullptr;
 }
 
 } // namespace penumbra

@@ -35,7 +35,7 @@ public:
         out.question = question;
         out.element = picked_.index;
         out.surface = surface.index;
-        out.surface_name = name_of(surface);
+        out.surface_name = scene_.words_for(surface);
         out.basis = leaf.basis.planar() ? BasisFamily::planar : BasisFamily::parametric;
         out.order = leaf.basis.order();
         out.n_cuts = leaf.n_cuts;
@@ -60,10 +60,6 @@ public:
     }
 
 private:
-    std::string name_of(SurfaceId s) const {
-        const std::string &name = scene_.surface(s).name;
-        return name.empty() ? "surface " + std::to_string(s.index) : name;
-    }
     Vec3 centre_of(ElementId e) const {
         const Element &element = state_.forest[e];
         return scene_.own.to_own(scene_.surface(element.surface).frame.to_space(element.basis.centre()));

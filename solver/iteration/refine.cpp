@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace penumbra {
 
@@ -26,6 +27,8 @@ struct Request {
     std::vector<ElementId> sources;
     std::shared_ptr<const Interaction> before; ///< of the same pair, to be replaced; none when the pair is new
     Fit fit{};
+    LinkReason reason = LinkReason::new_pair;
+    std::shared_ptr<const Interaction> replaced{}; ///< see LinkEvent
 };
 
 class Refinement {
@@ -120,12 +123,12 @@ private:
         std::string how = split.cut ? "cut in a straight line" : e.n_children == 2 ? "split in two" : "split in four";
         if (split.curve) {
             const SnapshotCurve &curve = (*state_.drawn_curves)[split.curve->at()];
-            how = "cut along the " + curve_words(curve, [&](int s) { return surface_name(SurfaceId(s)); });
+            how = "cut along the " + curve_words(curve, [&](int s) { return scene_.words_for(SurfaceId(s)); });
         }
         const double threshold = state_.counters.threshold;
         const std::string sentence =
-            surface_name(e.surface) + ", element " + std::to_string(node.index) + ": order " + std::to_string(e.basis.order()) +
-            (worst > 1 ? " misses what " + surface_name(source) + " brings by " + percent(worst * threshold)
+            scene_.words_for(e.surface) + ", element " + std::to_string(node.index) + ": order " + std::to_string(e.basis.order()) +
+            (worst > 1 ? " misses what " + scene_.words_for(source) + " brings by " + percent(worst * threshold)
                        : " falls below black by " + percent(dark / oracle_.allowance().anywhere() * threshold)) +
             " of the peak > " + percent(threshold) + "; " + how;
         if (!told_ || (split.cut && !told_cut_)) {
@@ -134,11 +137,6 @@ private:
         }
         events_.splits.push_back(
             {node, split.cut.has_value(), split.curve, source, worst * threshold, threshold, {}, sentence});
-    }
-
-    std::string surface_name(SurfaceId s) const {
-        const std::string &n = scene_.surface(s).name;
-        return n.empty() ? "surface " + std::to_string(s.index) : n;
     }
 
     /// New elements start with what their parent had, so that the change of an iteration is not their making.
@@ -173,23 +171,38 @@ private:
                 fit.damping = fit.damping * j.damping > least_damping ? fit.damping * j.damping : 0;
             if (j.verdict == Verdict::keep || (at_limit && same_sources && here[i]->fit == fit))
                 kept.push_back(here[i]);
-            else if (j.verdict == Verdict::fail && !at_limit)
-                descend(node, *here[i], j);
-            else
-                requests_.push_back({node, here[i]->source, here[i]->candidates(), j.sources, j.afresh ? nullptr : here[i], fit});
+            else if (j.verdict == Verdict::fail && !at_limit) {
+                auto replaced = was_split(node) ? nullptr : here[i];
+                descend(node, *here[i], j, replaced);
+            } else
+                requests_.push_back({node, here[i]->source, here[i]->candidates(), j.sources, j.afresh ? nullptr : here[i], fit,
+                                     at_limit           ? LinkReason::limit
+                                     : j.afresh         ? LinkReason::order_too_low
+                                     : here[i]->weak    ? LinkReason::too_bright
+                                                        : LinkReason::source_too_coarse,
+                                     here[i]});
         }
         here = std::move(kept);
     }
 
-    void descend(ElementId node, const Interaction &interaction, const Judgement &judgement) {
+    /// In this refinement.
+    bool was_split(ElementId node) const {
+        const Element &e = state_.forest[node];
+        return !e.leaf() && state_.forest[e.first_child].born == state_.counters.iteration;
+    }
+
+    /// The first of the parts takes what is replaced.
+    void descend(ElementId node, const Interaction &interaction, const Judgement &judgement,
+                 std::shared_ptr<const Interaction> &replaced) {
         const Element &e = state_.forest[node];
         for (int c = 0; c < e.n_children; ++c) {
             const ElementId child(e.first_child.index + c);
             // The first piece of a cut in two steps is cut already.
             if (!state_.forest[child].leaf() && state_.forest[child].born == state_.counters.iteration)
-                descend(child, interaction, judgement);
+                descend(child, interaction, judgement, replaced);
             else
-                requests_.push_back({child, interaction.source, interaction.candidates(), judgement.sources, nullptr});
+                requests_.push_back({child, interaction.source, interaction.candidates(), judgement.sources, nullptr, {},
+                                     LinkReason::handed_down, std::exchange(replaced, nullptr)});
         }
     }
 
@@ -245,10 +258,10 @@ private:
         });
         for (std::size_t i = 0; i < made.size(); ++i) {
             state_.counters.work += work[i];
-            if (made[i]->links.empty())
-                continue;
-            events_.links.push_back({requests_[i].receiver, requests_[i].source, static_cast<int>(made[i]->links.size())});
-            state_.interactions[requests_[i].receiver.at()].push_back(std::move(made[i]));
+            if (!made[i]->links.empty())
+                state_.interactions[requests_[i].receiver.at()].push_back(made[i]);
+            if (!made[i]->links.empty() || requests_[i].replaced)
+                events_.links.push_back({requests_[i].reason, std::move(made[i]), std::move(requests_[i].replaced)});
         }
     }
 

@@ -88,7 +88,7 @@ struct SnapshotCurve {
 struct SnapshotLink {
     Vec3 receiver, source;              ///< centres of the two elements
     std::int32_t kind = 0;              ///< 0 clear, 1 near or touching, 2 partly hidden
-    std::int32_t event = -1;            ///< of snapshot.events, which made the receiver; -1: none of them
+    std::int32_t linking = -1;          ///< of snapshot.linkings, which made it; -1: it was there before
 };
 
 /// A split of the last refinement (split_event.h).
@@ -102,6 +102,13 @@ struct SnapshotEvent {
     int n_pieces = 0;                   ///< patches in the element's place
     int n_coefficients = 0;             ///< of each of them, and of the element
     std::vector<SnapshotLink> links;    ///< that the element had and its pieces were linked anew for
+    std::string sentence;
+};
+
+/// An element and a source that the last refinement linked (split_event.h).
+struct SnapshotLinking {
+    std::vector<Vec3> receiver;         ///< corners of the element
+    std::vector<SnapshotLink> replaced; ///< in whose place its links are
     std::string sentence;
 };
 
@@ -124,6 +131,8 @@ struct Snapshot {
     /// After a refinement, its splits in order; else null.
     std::shared_ptr<const std::vector<SnapshotEvent>> events;
     std::int32_t n_shown_events = -1;   ///< the mesh is that after so many of them (after_splits.h); -1: after all
+    std::shared_ptr<const std::vector<SnapshotLinking>> linkings; ///< as `events`, which come before all of these
+    std::int32_t n_shown_linkings = -1; ///< links are those after so many of them; -1: after all, or none while splits are shown
     std::vector<LedgerEntry> effects;   ///< what was decided about each, up to now
 };
 

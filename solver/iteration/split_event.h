@@ -23,11 +23,23 @@ struct SplitEvent {
     std::string sentence;         ///< all of this
 };
 
-/// A receiver that got new links.
+/// Why a pair was linked.
+enum class LinkReason {
+    new_pair,          ///< the source has come to shine
+    handed_down,       ///< links of an element above have failed
+    order_too_low,     ///< what it brings has come to matter more than the order lets through
+    too_bright,        ///< for the constant that served
+    source_too_coarse, ///< detail of the source has come to matter
+    limit              ///< it failed where nothing can be split: it is fitted as well as can be
+};
+
+/// An element and a surface that were linked anew.
 struct LinkEvent {
-    ElementId receiver;
-    SurfaceId source;
-    int n_links = 0;
+    LinkReason reason = LinkReason::new_pair;
+    std::shared_ptr<const Interaction> made; ///< without links where nothing gets through
+    /// What it took the place of, of the same element or, among its parts first come, of one above that was not split in this
+    /// refinement; null: nothing, or what a split has handed down.
+    std::shared_ptr<const Interaction> replaced;
 };
 
 /// Both in the order in which they happened; all splits come before all links. tests/agreement/split_events_test.cpp.

@@ -1,11 +1,12 @@
 #include "iteration/take_snapshot.h"
 
-#include "iteration/quadratic.h"
-
 #include "iteration/critical_surface.h"
+#include "iteration/linking_words.h"
+#include "iteration/quadratic.h"
 
 #include <atomic>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 namespace penumbra {
@@ -100,10 +101,10 @@ Vec3 centre(const Scene &scene, const Element &element) {
     return scene.own.to_own(scene.surface(element.surface).frame.to_space(element.basis.centre()));
 }
 
-void add_links(const Scene &scene, const Forest &forest, ElementId receiver, const Interaction &interaction, int event,
+void add_links(const Scene &scene, const Forest &forest, ElementId receiver, const Interaction &interaction, int linking,
                std::vector<SnapshotLink> &links) {
     for (const Link &link : interaction.links)
-        links.push_back({centre(scene, forest[receiver]), centre(scene, forest[link.source]), link_kind(interaction.kind), event});
+        links.push_back({centre(scene, forest[receiver]), centre(scene, forest[link.source]), link_kind(interaction.kind), linking});
 }
 
 SnapshotPatch patch_of(const Scene &scene, const State &state, const Element &e, const SnapshotPlace &place,
@@ -160,6 +161,31 @@ void add_events(const Scene &scene, const State &state, const std::vector<Snapsh
     out.events = std::move(events);
 }
 
+void add_linkings(const Scene &scene, const State &state, Snapshot &out) {
+    if (!state.events)
+        return;
+    auto linkings = std::make_shared<std::vector<SnapshotLinking>>();
+    for (const LinkEvent &event : state.events->links) {
+        const Element &receiver = state.forest[event.made->receiver];
+        SnapshotLinking &drawn = linkings->emplace_back();
+        for (const Vec2 &p : receiver.basis.outline())
+            drawn.receiver.push_back(scene.own.to_own(scene.surface(receiver.surface).frame.to_space(p)));
+        if (event.replaced)
+            add_links(scene, state.forest, event.replaced->receiver, *event.replaced, -1, drawn.replaced);
+        drawn.sentence = linking_words(scene, state.forest, event);
+    }
+    out.linkings = std::move(linkings);
+}
+
+/// By what they made.
+std::unordered_map<const Interaction *, int> linkings_of(const State &state) {
+    std::unordered_map<const Interaction *, int> numbers;
+    if (state.events)
+        for (std::size_t k = 0; k < state.events->links.size(); ++k)
+            numbers[state.events->links[k].made.get()] = static_cast<int>(k);
+    return numbers;
+}
+
 } // namespace
 
 std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &state) {
@@ -179,10 +205,13 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
     const std::vector<double> missed = missed_squares(scene, state);
     const std::vector<SnapshotPlace> places = add_splits(state.forest, scene.own.size, *out);
     const std::vector<int> made_by = makers(state);
+    const auto linkings = linkings_of(state);
     for (std::size_t i = 0; i < state.forest.elements.size(); ++i) {
         const Element &e = state.forest.elements[i];
-        for (const auto &interaction : state.interactions[i])
-            add_links(scene, state.forest, ElementId(i), *interaction, made_by[i], out->links);
+        for (const auto &interaction : state.interactions[i]) {
+            const auto made = linkings.find(interaction.get());
+            add_links(scene, state.forest, ElementId(i), *interaction, made == linkings.end() ? -1 : made->second, out->links);
+        }
         if (!e.leaf())
             continue;
         out->patches.push_back(patch_of(scene, state, e, places[i], out->coefficients));
@@ -190,6 +219,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
             out->patches.back().estimate = scene.own.size * std::sqrt(missed[i] * e.basis.area());
     }
     add_events(scene, state, places, made_by, *out);
+    add_linkings(scene, state, *out);
     return out;
 }
 
@@ -199,6 +229,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Setting &setting, const State &sta
     out->counters.estimated_error = out->counters.error_limit = out->counters.error_bound = -1;
     out->coefficients.clear();
     out->events.reset(); // which are of the constants
+    out->linkings.reset();
     auto patch = out->patches.begin();
     for (const Element &e : field.forest.elements)
         if (e.leaf()) {

@@ -71,6 +71,10 @@ struct Scene {
     const Rgb &exitance(SurfaceId s) const { return material(s).exitance; }
     bool reflects(SurfaceId s) const { return reflectance(s).maxCoeff() > 0; }
     bool emits(SurfaceId s) const { return exitance(s).maxCoeff() > 0; }
+    /// What a surface is called in sentences: its name, or "surface 3".
+    std::string words_for(SurfaceId s) const {
+        return surface(s).name.empty() ? "surface " + std::to_string(s.index) : surface(s).name;
+    }
     int n_surfaces() const { return static_cast<int>(surfaces.size()); }
 };
 

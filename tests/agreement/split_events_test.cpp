@@ -1,17 +1,21 @@
 // What a refinement says it did, replayed over the mesh before.
 #include "iteration/split_event.h"
 
+#include "core/percent.h"
 #include "discontinuity/curve.h"
 #include "geometry/polygon.h"
 #include "iteration/after_splits.h"
 #include "iteration/solver.h"
 #include "iteration/state.h"
+#include "reference/faces.h"
+#include "reference/form_factors.h"
 #include "scene/bundled.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -151,43 +155,124 @@ TEST(SplitEvents, ReplayTheRefinement) {
         }
 }
 
-TEST(SplitEvents, HaveTheLinksOfTheirPiecesAndOfTheirElement) {
-    Options options;
-    options.threshold = 0.03;
-    Solver solver(std::make_shared<const Scene>(open_scene("cornell-box")), options);
-    int n_seen = 0;
-    for (int iteration = 0; iteration < 4; ++iteration) {
-        const auto before = solver.state();
+/// Links by their ends, to the last bit.
+using Links = std::multiset<std::array<double, 6>>;
+
+Links links_of(const std::vector<SnapshotLink> &links) {
+    Links out;
+    for (const SnapshotLink &l : links)
+        out.insert({l.receiver.x(), l.receiver.y(), l.receiver.z(), l.source.x(), l.source.y(), l.source.z()});
+    return out;
+}
+
+void take(const std::vector<SnapshotLink> &some, Links &from) {
+    for (const auto &link : links_of(some)) {
+        const auto found = from.find(link);
+        ASSERT_NE(found, from.end()) << "a link goes that was not there";
+        from.erase(found);
+    }
+}
+
+std::vector<SnapshotLink> made_by(const Snapshot &snapshot, int linking) {
+    std::vector<SnapshotLink> out;
+    std::ranges::copy_if(snapshot.links, std::back_inserter(out), [&](const SnapshotLink &l) { return l.linking == linking; });
+    return out;
+}
+
+/// Solves by a threshold, or to a tolerance, which also links anew what has become too coarse.
+void expect_honest_links(const std::string &scene, const Options &options, int n_iterations, int &n_seen, int &n_replaced) {
+    SCOPED_TRACE(scene);
+    Solver solver(std::make_shared<const Scene>(open_scene(scene)), options);
+    for (int iteration = 0; iteration < n_iterations && !solver.ended(); ++iteration) {
+        const auto before = solver.snapshot();
+        EXPECT_EQ(n_linkings(*before), 0);
         solver.sub_step();
-        const auto state = solver.state();
         const auto after = solver.snapshot();
-        std::vector<int> links(state->interactions.size());
-        for (std::size_t e = 0; e < links.size(); ++e)
-            for (const auto &interaction : state->interactions[e])
-                links[e] += static_cast<int>(interaction->links.size());
-        std::vector<int> made(links.size());
-        for (const LinkEvent &event : state->events->links)
-            made[event.receiver.at()] += event.n_links;
-        for (std::size_t e = before->interactions.size(); e < links.size(); ++e)
-            EXPECT_EQ(made[e], links[e]) << "a new element has new links alone";
-        int kept = 0, now = 0;
-        for (std::size_t e = 0; e < before->interactions.size(); ++e) {
-            EXPECT_LE(made[e], links[e]);
-            kept += links[e];
+        Links links = links_of(before->links);
+        EXPECT_EQ(links_of(after_splits(*after, 0)->links), links) << "before the first split all is as it was";
+        for (int k = 0; k < n_events(*after); ++k) {
+            take((*after->events)[static_cast<std::size_t>(k)].links, links);
+            const auto partial = after_splits(*after, k + 1);
+            EXPECT_EQ(links_of(partial->links), links) << "after split " << k + 1;
+            EXPECT_EQ(partial->counters.links, static_cast<std::int64_t>(links.size()));
         }
-        const auto start = after_splits(*after, 0);
-        for (const SnapshotEvent &event : *after->events)
-            now += static_cast<int>(event.links.size());
-        EXPECT_EQ(static_cast<int>(start->links.size()), kept + now);
-        EXPECT_EQ(start->counters.links, kept + now);
-        EXPECT_EQ(after->links.size(), static_cast<std::size_t>(std::accumulate(links.begin(), links.end(), 0)));
-        EXPECT_EQ(after_splits(*after, n_events(*after))->links.size(), after->links.size());
-        n_seen += n_events(*after);
+        EXPECT_EQ(links_of(after_linkings(*after, 0)->links), links);
+        const int n = n_linkings(*after), every = std::max(1, n / 20);
+        std::set<std::uint64_t> versions{before->version, after->version};
+        int n_versions = 2;
+        for (int k = 0; k < n; ++k) {
+            const SnapshotLinking &linking = (*after->linkings)[static_cast<std::size_t>(k)];
+            take(linking.replaced, links);
+            if (::testing::Test::HasFatalFailure())
+                return;
+            links.merge(links_of(made_by(*after, k)));
+            n_replaced += !linking.replaced.empty();
+            EXPECT_GE(linking.receiver.size(), 3u);
+            if (k % every != 0 && k + 1 != n)
+                continue;
+            const auto partial = after_linkings(*after, k + 1);
+            EXPECT_EQ(links_of(partial->links), links) << "after linking " << k + 1;
+            EXPECT_EQ(partial->counters.links, static_cast<std::int64_t>(links.size()));
+            EXPECT_EQ(partial->sentence, linking.sentence);
+            EXPECT_EQ(mesh_of(*partial), mesh_of(*after));
+            EXPECT_EQ(std::ranges::count_if(partial->patches, &SnapshotPatch::fresh), 0);
+            versions.insert(partial->version);
+            ++n_versions;
+        }
+        EXPECT_EQ(static_cast<int>(versions.size()), n_versions);
+        EXPECT_EQ(links, links_of(after->links)) << "after the last one all is there";
+        n_seen += n;
         solver.sub_step();
         EXPECT_EQ(solver.state()->events, nullptr);
+        EXPECT_EQ(n_linkings(*solver.snapshot()), 0) << "a gather links nothing";
         solver.sub_step();
     }
-    EXPECT_GT(n_seen, 10);
+}
+
+TEST(LinkEvents, ReplayTheLinks) {
+    int n_seen = 0, n_replaced = 0;
+    for (const char *scene : {"slanted-edge", "cornell-box", "table"}) {
+        Options options;
+        options.threshold = 0.03;
+        options.max_depth = 3; // where links are made anew, finer
+        expect_honest_links(scene, options, 5, n_seen, n_replaced);
+        expect_honest_links(scene, Options().to_tolerance(0.02), 12, n_seen, n_replaced);
+    }
+    EXPECT_GT(n_seen, 100);
+    EXPECT_GT(n_replaced, 5);
+}
+
+TEST(LinkEvents, SayWhatWasLinked) {
+    // A lamp of 2 x 1 over a floor of the same shape, in front of which a wall begins to shine one iteration later.
+    const double a = 2, b = 1, c = 1.2;
+    const auto scene = reference::scene_of({{{Vec3(0, 0, 0), Vec3(a, 0, 0), Vec3(a, b, 0), Vec3(0, b, 0)}},
+                                            {{Vec3(0, 0, c), Vec3(0, b, c), Vec3(a, b, c), Vec3(a, 0, c)}, Rgb::Zero(), Rgb::Ones()},
+                                            {{Vec3(0, b, 0), Vec3(a, b, 0), Vec3(a, b, c), Vec3(0, b, c)}}});
+    Options options;
+    options.threshold = 0.5; // nothing is split
+    options.effects[Effect::order] = Switch::on; // nor left out
+    Solver solver(scene, options);
+    const auto sentences = [&] {
+        solver.sub_step();
+        const auto snapshot = solver.snapshot();
+        std::vector<std::string> out;
+        for (const SnapshotLinking &linking : *snapshot->linkings)
+            out.push_back(linking.sentence);
+        solver.sub_step();
+        solver.sub_step();
+        return out;
+    };
+    const auto has = [](const std::vector<std::string> &all, const std::string &start, double form_factor, const std::string &end) {
+        return std::ranges::any_of(all, [&](const std::string &s) {
+            return s.starts_with(start) && s.find("form factor " + percent(form_factor)) != std::string::npos && s.ends_with(end);
+        });
+    };
+    const double across = reference::parallel_rectangles(a, b, c), to_wall = reference::perpendicular_rectangles(a, b, c);
+    const std::vector<std::string> first = sentences();
+    ASSERT_EQ(first.size(), 2u);
+    EXPECT_TRUE(has(first, "face 0, element 0: linked to face 1, ", across, "; the first time")) << first[0];
+    const std::vector<std::string> second = sentences();
+    EXPECT_TRUE(has(second, "face 0, element 0: linked to face 2, ", to_wall, "; the first time")) << second[0];
 }
 
 void expect_words(const std::string &scene) {
