@@ -40,6 +40,8 @@ const std::map<std::string, Expected> &expectations() {
         {"solve.sub_back", {"/position", 2, {"solve.reset", "solve.step"}}},
         {"solve.split", {"/split", 1, {"solve.reset", "solve.step"}}},
         {"solve.split_back", {"/position", 3, {"solve.reset", "solve.step", "solve.split"}}},
+        {"solve.link", {"/linking", 1, {"solve.reset", "solve.step"}}},
+        {"solve.link_back", {"/linking", nullptr, {"solve.reset", "solve.link"}}},
         {"solve.next_cut", {"/split", nullptr, {"solve.reset"}}},
         {"solve.animate", {"/animates_splits", false, {}}},
         {"solve.slower", {"/speed", nullptr, {}}},

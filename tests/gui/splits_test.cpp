@@ -214,6 +214,70 @@ TEST(Splits, PanesShowTheirOwn) {
     session.wait_until("both", [](const Json &s) { return s["panes"][0]["split"] == 2 && s["panes"][1]["split"] == 2; });
 }
 
+TEST(Links, FollowTheSplitsOneByOneAndGoBackTheSameWay) {
+    Session session(room);
+    const Json whole = at_second_refinement(session);
+    const int n = whole["splits"].get<int>(), n_links = whole["linkings"].get<int>();
+    ASSERT_GT(n_links, 10);
+    const auto at_link = [&](const Json &k) {
+        return session.wait_until("link " + k.dump(), [&](const Json &s) {
+            return s["position"] == 4 && s["linking"] == k && s["busy"] == false;
+        });
+    };
+    session.key("ctrl+Left");
+    wait_for(session, 4, n - 1);
+    std::vector<Json> states;
+    std::vector<Screenshot> shots;
+    for (int k = 1; k <= 3; ++k) {
+        session.key("ctrl+Down");
+        at_link(k);
+        states.push_back(seen(session.settled()));
+        shots.push_back(session.shot());
+        EXPECT_EQ(states.back()["split"], nullptr);
+        EXPECT_EQ(states.back()["panes"][0]["patches"], whole["panes"][0]["patches"]) << "all splits are made";
+        EXPECT_LT(states.back()["panes"][0]["links"], whole["panes"][0]["links"]);
+        const auto sentence = states.back()["message"].get<std::string>();
+        EXPECT_NE(sentence.find(": linked to "), std::string::npos) << sentence;
+        EXPECT_NE(sentence.find("; links of an element above it failed"), std::string::npos) << sentence;
+    }
+    EXPECT_GT(states[1]["panes"][0]["links"], states[0]["panes"][0]["links"]);
+    EXPECT_FALSE(shots[0].pixels == shots[1].pixels);
+    for (int k = 2; k >= 1; --k) {
+        session.key("ctrl+Up");
+        at_link(k);
+        EXPECT_EQ(seen(session.settled()), states[static_cast<std::size_t>(k - 1)]);
+        expect_same(session.shot(), shots[static_cast<std::size_t>(k - 1)], "link " + std::to_string(k));
+    }
+    session.key("ctrl+Up");
+    wait_for(session, 4, n);
+    session.key("ctrl+Down");
+    at_link(1);
+    session.click("linkings");
+    const Json middle = session.wait_until("the middle", [](const Json &s) { return s["linking"] > 3; });
+    EXPECT_NEAR(middle["linking"].get<double>(), n_links / 2.0, 0.05 * n_links + 1);
+    session.key("ctrl+s");
+    const auto file = session.wait_until("the state", [](const Json &s) { return s["saved"] != ""; })["saved"].get<std::string>();
+    session.key("shift+Right");
+    session.wait_until("the gather", [](const Json &s) { return s["position"] == 5 && s["linking"] == nullptr; });
+    session.drop(file);
+    const Json again = session.wait_until("it", [&](const Json &s) { return s["linking"] == middle["linking"] && s["busy"] == false; });
+    EXPECT_EQ(session.settled()["panes"][0]["links"], middle["panes"][0]["links"]);
+    EXPECT_EQ(again["position"], 4);
+}
+
+TEST(Links, TheNextOfTheLastIsTheFirstOfTheNextRefinement) {
+    Session session(room);
+    session.key("ctrl+Down");
+    const Json first = session.wait_until("the first", [](const Json &s) { return s["position"] == 1 && s["linking"] == 1 && s["panes"][0]["linking"] == 1; });
+    EXPECT_EQ(first["splits"], 0) << "the first refinement links alone";
+    const int n = first["linkings"].get<int>();
+    for (int k = 2; k <= n; ++k)
+        session.key("ctrl+Down");
+    session.wait_until("the last", [&](const Json &s) { return s["linking"] == n; });
+    session.key("ctrl+Down");
+    session.wait_until("the next refinement", [](const Json &s) { return s["position"] == 4 && s["linking"] == 1; });
+}
+
 TEST(Splits, AStateAndAPictureBringThemBack) {
     std::filesystem::path state, picture;
     Json view;
