@@ -49,7 +49,7 @@ struct RenderOptions {
     std::optional<int> steps;    ///< none: to `position`
     std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
     Phase phase = Phase::pushed_pulled; ///< that the last of `steps` stops after
-    RefinementPart part{};       ///< of a saved state
+    RefinementPart part{};
     bool priced = true;          ///< two panes have a sentence on what they took
     std::optional<bool> price_asked; ///< said on the command line
     LookOptions look;
@@ -79,6 +79,8 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
         options.position = state.position;
     options.look.camera = state.camera;
     options.part = {state.split, state.linking};
+    if (parser.count("--steps") > 0)
+        options.part = {};
     options.look.width = picture.width;
     options.look.height = picture.height;
     options.look.look = state.look;
@@ -139,7 +141,7 @@ Camera camera_of(const RenderOptions &options, const Scene &scene, const Snapsho
 
 /// As it was to be shown: perhaps with a part of a refinement alone.
 std::shared_ptr<const Snapshot> shown(std::shared_ptr<const Snapshot> snapshot, const RenderOptions &options) {
-    const auto part = options.steps ? nullptr : part_of(*snapshot, options.part);
+    const auto part = part_of(*snapshot, options.part);
     return part ? part : snapshot;
 }
 
@@ -388,6 +390,12 @@ Command add_render(CLI::App &root) {
         ->check(CLI::IsMember({std::string(name(Phase::refined)), std::string(name(Phase::gathered)),
                                std::string(name(Phase::pushed_pulled))}))
         ->needs("--steps");
+    const auto split = parser->add_option("--split", options->part.splits, "After so many splits of the refinement, where that stops");
+    split->check(CLI::PositiveNumber)->needs("--phase");
+    parser->add_option("--link", options->part.linkings, "After all its splits, and so many of the pairs that it linked")
+        ->check(CLI::PositiveNumber)
+        ->needs("--phase")
+        ->excludes(split);
     parser->add_flag_function(
         "--price,!--no-price", [options](std::int64_t n) { options->price_asked = n > 0; },
         "A sentence on what two panes took [where --panes is given]");

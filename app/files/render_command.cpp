@@ -113,6 +113,10 @@ void add_position(Line &line, const SavedState &state) {
         line.option("--steps", std::to_string(iteration_of(state.position)));
         if (const Phase phase = phase_of(state.position); phase == Phase::refined || phase == Phase::gathered)
             line.option("--phase", std::string(name(phase)));
+        if (state.split)
+            line.option("--split", std::to_string(*state.split));
+        else if (state.linking)
+            line.option("--link", std::to_string(*state.linking));
     }
     const bool usual = !state.converged;
     if (state.look.emphasise_fresh != usual)

@@ -85,6 +85,18 @@ TEST_F(RenderCommand, PanesBetweenTwoPhasesSeenFromElsewhere) {
                  {"picture", small}});
 }
 
+TEST_F(RenderCommand, InTheMiddleOfARefinement) {
+    const json room = {{"scene", "cornell-box"}, {"position", 4}, {"options", {{"threshold", 0.03}}}, {"picture", small}};
+    for (const auto &[field, k] : {std::pair("split", 2), std::pair("linking", 40)}) {
+        json state = room;
+        state[field] = k;
+        expect_same(state, "cornell-box");
+        EXPECT_EQ(json::parse(*read_png_state(folder / "cornell-box.png"))[field], k);
+    }
+    EXPECT_EQ(shell("penumbra render cornell-box --steps 2 --split 2 -o a.png"), 2) << "of which refinement?";
+    EXPECT_EQ(shell("penumbra render cornell-box --steps 2 --phase refined --split 2 --link 2 -o a.png"), 2);
+}
+
 TEST_F(RenderCommand, ToATolerance) {
     expect_same({{"scene", "slanted-edge"}, {"converged", true}, {"options", {{"tolerance", 0.05}, {"max_depth", 20}}}, {"picture", small}});
     expect_same({{"scene", "slanted-edge"}, {"converged", true}, {"options", {{"tolerance", 0.05}, {"max_depth", 8}}}, {"picture", small}});
