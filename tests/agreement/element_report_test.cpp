@@ -1,5 +1,6 @@
 // What is told of an element, against what the solver does: what links bring adds up to what was gathered, and the
 // verdicts come true in the next refinement.
+#include "agreement/every_strategy.h"
 #include "iteration/element_report.h"
 #include "iteration/solver.h"
 #include "iteration/state.h"
@@ -24,7 +25,7 @@ std::shared_ptr<const Scene> corner_scene() {
                                 {{{-0.2, -0.4, 0.7}, {-0.2, 0.5, 0.7}, {0.9, 0.3, 0.7}, {0.9, -0.4, 0.7}}, none, none}});
 }
 
-class ElementReports : public testing::TestWithParam<std::tuple<BasisFamily, Strategy>> {
+class ElementReports : public testing::TestWithParam<BasisAndStrategy> {
 protected:
     ElementReports() : scene(corner_scene()) {
         options.basis = std::get<0>(GetParam());
@@ -138,15 +139,7 @@ TEST_P(ElementReports, HistoryLeadsFromTheRootToTheElement) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ElementReports,
-                         testing::Combine(testing::Values(BasisFamily::parametric, BasisFamily::planar),
-                                          testing::ValuesIn(all_strategies)),
-                         [](const auto &at) {
-                             std::string words = std::string(name(std::get<0>(at.param))) + "_" +
-                                                 std::string(name(std::get<1>(at.param)));
-                             std::ranges::replace(words, '-', '_');
-                             return words;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, ElementReports, every_basis_and_strategy(), words_for);
 
 } // namespace
 } // namespace penumbra

@@ -1,5 +1,6 @@
 // What an X-ray shows along its line, against closed forms and against counting rays; and that its fit is the one whose
 // misfit the oracle tells.
+#include "agreement/every_strategy.h"
 #include "iteration/element_report.h"
 #include "iteration/solver.h"
 #include "iteration/state.h"
@@ -53,7 +54,7 @@ Rgb seen(const Scene &scene, const Vec3 &x, int n) {
 
 Vec3 place(const LinkXray &x, double at) { return x.from + at / x.length() * (x.to - x.from); }
 
-class LinkXrays : public testing::TestWithParam<std::tuple<BasisFamily, Strategy>> {
+class LinkXrays : public testing::TestWithParam<BasisAndStrategy> {
 protected:
     static Options options(double threshold) {
         Options o;
@@ -128,15 +129,7 @@ TEST_P(LinkXrays, ShowWhatIsLeftBehindABlocker) {
     EXPECT_LT(least, 0.5) << "the line should cross the shadow";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LinkXrays,
-                         testing::Combine(testing::Values(BasisFamily::parametric, BasisFamily::planar),
-                                          testing::ValuesIn(all_strategies)),
-                         [](const auto &at) {
-                             std::string words = std::string(name(std::get<0>(at.param))) + "_" +
-                                                 std::string(name(std::get<1>(at.param)));
-                             std::ranges::replace(words, '-', '_');
-                             return words;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, LinkXrays, every_basis_and_strategy(), words_for);
 
 } // namespace
 } // namespace penumbra
