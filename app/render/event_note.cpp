@@ -13,7 +13,8 @@ ImVec2 draw_event_note(ImDrawList *list, const Fonts &fonts, ImVec2 corner, floa
         return fonts.text->CalcTextSizeA(em, 1e9f, wrap, text.c_str());
     };
     const ImVec2 first = size_of(plain), second = size_of(symbols);
-    const ImVec2 size{std::max(first.x, second.x) + 2 * pad + bar, first.y + second.y + 0.3f * em + 2 * pad};
+    const float below = symbols.empty() ? 0 : 0.3f * em + second.y;
+    const ImVec2 size{std::max(first.x, second.x) + 2 * pad + bar, first.y + below + 2 * pad};
     if (!list)
         return size;
     const ImVec2 low{corner.x, corner.y - size.y}, high{low.x + size.x, corner.y};
