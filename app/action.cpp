@@ -2,6 +2,8 @@
 
 #include "menu_actions.h"
 #include "paper_lines.h"
+#include "script.h"
+#include "scripted.h"
 
 #include <algorithm>
 #include <iterator>
@@ -10,13 +12,22 @@ namespace penumbra {
 
 namespace {
 
+/// Done again by a script they would do something else: they follow the mouse, the clipboard or the moment, lie open over the
+/// scene, or end what plays the script.
+constexpr std::string_view recorded_by_effect[] = {
+    "file.open",   "file.restore",   "file.discard",   "file.quit",    "edit.undo",    "edit.redo",
+    "edit.paste_view", "edit.palette", "solve.play",   "solve.cancel", "check.stop",   "view.keyhole",
+    "view.profile", "view.inspector", "view.filters",  "view.before",  "help.tour"};
+
 const std::vector<Action> &list() {
     static const std::vector<Action> all = [] {
         std::vector<Action> actions;
         for (auto menu : {file_actions, edit_actions, solve_actions, strategy_actions, view_actions, layer_actions, help_actions})
             std::ranges::move(menu(), std::back_inserter(actions));
-        for (Action &action : actions)
+        for (Action &action : actions) {
             action.paper = paper_line(action.id);
+            action.by_effect = std::ranges::find(recorded_by_effect, action.id) != std::end(recorded_by_effect);
+        }
         return actions;
     }();
     return all;
@@ -71,7 +82,14 @@ bool run(const Action &action, AppState &state) {
         return false;
     if (state.message.error)
         state.message = {};
+    if (!state.recording) {
+        action.run(state);
+        return true;
+    }
+    Deed deed{&action, std::make_shared<const Scripted>(scripted(state)), nullptr, at_rest(state)};
     action.run(state);
+    deed.after = std::make_shared<const Scripted>(scripted(state));
+    state.deeds.push_back(std::move(deed));
     return true;
 }
 

@@ -24,6 +24,7 @@ struct Action {
     bool (*checked)(const AppState &) = nullptr; ///< null: it is no toggle
     void (*release)(AppState &) = nullptr; ///< null: done when the key goes down; else it lasts until the key goes up
     bool passing = false; ///< left out of menus and palette while it is disabled
+    bool by_effect = false; ///< recorded by what it has changed, not by its name
     std::string paper = {}; ///< symbol and equation; see paper_lines.h. Empty: there is none
 };
 

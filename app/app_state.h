@@ -34,6 +34,8 @@
 namespace penumbra {
 
 struct ErrorMap; // iteration/error_map.h
+struct Action;   // action.h
+struct Scripted; // scripted.h
 
 using Clock = std::chrono::steady_clock;
 
@@ -198,6 +200,13 @@ struct Told {
     std::string title, sentence, paper;
 };
 
+/// An action that was done, for the record of the session; see recorder.h.
+struct Deed {
+    const Action *action = nullptr;
+    std::shared_ptr<const Scripted> before, after;
+    bool rested = false; ///< everything that was asked for before was there
+};
+
 /// A script that is played; see script.h.
 struct ScriptMode {
     bool playing = false;
@@ -221,6 +230,7 @@ struct AppState {
     int position = 0;      ///< asked for, see timeline.h; equal in all panes
     bool playing = false;
     double phases_per_second = 2; ///< of playing
+    std::optional<int> play_until; ///< position at which playing pauses; none: at the end
     std::optional<int> split;     ///< splits of the refinement at `position` that are shown (split_verbs.h); none: all
     std::optional<int> linking;   ///< pairs that it linked, of which so many are shown, where `split` is none; none: all
     bool animates_splits = true;  ///< while playing
@@ -272,6 +282,8 @@ struct AppState {
     bool panels_hidden = false, help_open = false, open_dialog = false, legend_hidden = false;
     PaletteMode palette;
     ScriptMode script;
+    bool recording = false;  ///< deeds are noted
+    std::vector<Deed> deeds; ///< since the recorder looked last
     std::vector<SavedState> bookmarks; ///< see bookmark_verbs.h
     int bookmark = -1;                 ///< that was gone to last
     std::optional<SavedState> to_restore; ///< as soon as its scene is open

@@ -27,6 +27,7 @@ struct PictureSettings {
     PictureSize size = PictureSize::panes;
     int supersample = 1; ///< 1 to 4
     bool transparent = false, labels = true;
+    bool operator==(const PictureSettings &) const = default;
 };
 
 /// A picture that is taken as soon as all that it shows is known.

@@ -68,6 +68,7 @@ void reset(AppState &s) {
 
 void toggle_play(AppState &s) {
     s.playing = !s.playing;
+    s.play_until.reset();
     if (s.playing) {
         s.halted = false;
         s.hint_done = true;

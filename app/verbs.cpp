@@ -216,6 +216,11 @@ double advance_play(AppState &state, Clock::time_point now) {
         return -1; // the worker's report wakes us
     if (const auto wait = advance_splits(state, now))
         return *wait;
+    if (state.play_until && state.position >= *state.play_until) {
+        state.playing = false;
+        state.play_until.reset();
+        return -1;
+    }
     const double shown_for = std::chrono::duration<double>(now - state.fresh_since).count();
     const double wait = 1 / state.phases_per_second - shown_for;
     if (wait > 0)

@@ -3,10 +3,12 @@
 #include "action.h"
 #include "commands/command.h"
 #include "commands/look_options.h"
+#include "commands/script_words.h"
 #include "commands/solving_options.h"
 #include "core/error.h"
 #include "core/read_text.h"
 #include "restore.h"
+#include "split_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -20,8 +22,6 @@ namespace penumbra {
 namespace {
 
 constexpr std::size_t longest_script = 1 << 20; // bytes
-using Act = std::function<bool(AppState &)>;
-using Words = std::vector<std::string_view>;
 
 /// Options as on a command line, from a line of text; `add` adds them to a parser.
 void parse(const std::string &text, const std::function<void(CLI::App &)> &add) {
@@ -61,18 +61,45 @@ Act set(const std::string &text) {
     };
 }
 
-void show_now(AppState &state, const LookOptions &options) {
-    const bool ranged = options.look.range != state.look.range;
+/// The surface of that number or name; -1 for `all`.
+int source_from(const std::string &text, const Scene &scene) {
+    if (text == "all")
+        return -1;
+    for (int s = 0; s < scene.n_surfaces(); ++s)
+        if (text == std::to_string(s) || text == scene.surface(SurfaceId(s)).name)
+            return s;
+    throw BadInput("--curve-source " + text + ": the scene has no surface of that name or number");
+}
+
+void look_at(AppState &state, const Camera &camera) {
+    state.camera = camera;
+    state.camera_is_set = state.camera_moved = true;
+}
+
+/// Ranges that are given are kept; others follow what is shown, as they did.
+void show_now(AppState &state, LookOptions options, const Look &before) {
+    if (options.look.range)
+        state.chosen_range = options.look.range;
+    else
+        options.look.range = before.range;
+    if (options.look.error_range)
+        state.truth.range_locked = true;
+    else if (options.look.error == before.error)
+        options.look.error_range = before.error_range;
+    else
+        state.truth.range_locked = false;
+    if (!options.curve_source.empty())
+        options.look.curve_filter.source = source_from(options.curve_source, *state.scene);
     state.look = options.look;
     state.look.spotlight = {};
-    if (ranged)
-        state.chosen_range = options.look.range;
+    if (state.look.shading == Shading::error)
+        state.truth.halted = false;
     if (options.look.spotlight.curve >= 0)
         state.pinned_curve = options.look.spotlight.curve;
-    if (options.view) {
-        state.camera = camera_from(*options.view, *state.scene);
-        state.camera_is_set = state.camera_moved = true;
-    }
+    if (options.view)
+        look_at(state, camera_from(*options.view, *state.scene));
+    if (options.camera)
+        look_at(state, *options.camera);
     if (options.keyhole)
         state.keyhole_to_open = options.keyhole;
     if (options.profile)
@@ -85,30 +112,23 @@ Act show(const std::string &text) {
     return [text](AppState &state) {
         if (!state.scene)
             throw BadInput("there is no scene to show");
-        show_now(state, look_from(text, state.look));
+        Look bare = state.look;
+        bare.range.reset();
+        bare.error_range.reset();
+        show_now(state, look_from(text, bare), state.look);
         return true;
     };
 }
 
-int whole(std::string_view word, int least) {
-    double value = 0;
-    if (!number_from(word, value) || value != std::floor(value) || value < least || value > far_ahead)
-        throw BadInput(in_quotes(word) + " is not a whole number of " + std::to_string(least) + " or more");
-    return static_cast<int>(value);
-}
-
-Phase phase_from(std::string_view word) {
-    for (const Phase phase : {Phase::refined, Phase::gathered, Phase::pushed_pulled})
-        if (name(phase) == word)
-            return phase;
-    throw BadInput(in_quotes(word) + " is no phase; there are refine, gather and push-pull");
-}
-
 Act go(const Words &words) {
-    const int iteration = whole(words[1], 0);
-    const Phase phase = words.size() > 2 ? phase_from(words[2]) : Phase::pushed_pulled;
+    const Place place = words[1] == "end" ? Place{far_ahead} : place_from(words, 1);
     return [=](AppState &state) {
-        go_to(state, iteration == 0 ? 0 : position_of(iteration, phase));
+        if (state.position != place.position || state.split) {
+            go_to(state, place.position);
+            return !place.split;
+        }
+        if (place.split)
+            show_splits(state, *place.split);
         return true;
     };
 }
@@ -177,11 +197,13 @@ struct Form {
     std::size_t least = 0, most = 0; ///< words after it
 };
 constexpr std::size_t any = 1000;
-constexpr Form forms[] = {{"open", 1, any}, {"go", 1, 2},   {"panes", 1, any}, {"set", 1, any}, {"show", 1, any},
+constexpr Form forms[] = {{"open", 1, any}, {"go", 1, 3},   {"panes", 1, any}, {"set", 1, any}, {"show", 1, any},
                           {"say", 0, any},  {"wait", 1, 1}, {"picture", 1, any}, {"window", 1, any}};
 
 Act act_from(const std::string &text, const std::filesystem::path &pictures, double pace) {
     const Words words = words_of(text);
+    if (auto act = act_of_words(words))
+        return *act;
     const std::string_view first = words[0];
     const auto form = std::ranges::find(forms, first, &Form::word);
     const std::size_t n = words.size() - 1, most = form == std::end(forms) ? 1 : form->most;

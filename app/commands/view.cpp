@@ -30,6 +30,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, ViewerSetup setup, cons
     // Read here and not in the window, so that a bad file ends the program with its line and status.
     setup.file = open_file(solving.scene, up, solving.moves);
     setup.file_name = solving.scene;
+    setup.state_in_file = setup.file.state;
     if (auto &state = setup.file.state) {
         solving.options = state->options;
         say_again(parser);
@@ -71,6 +72,8 @@ Command add_view(CLI::App &root) {
     parser->add_option("--pace", script->pace, "The script's waits are multiplied by this; 0: it does not wait")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    parser->add_option("--record", setup->record,
+                       "Writes what is done in the window to this file, as a script that --script does again");
     // For tests, and so not in the help.
     parser->add_option("--state-file", setup->state_file)->group("");
     parser->add_flag("--inert", setup->inert)->group("");

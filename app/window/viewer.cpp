@@ -72,8 +72,27 @@ Viewer::Viewer(ViewerSetup setup)
     ImGui::GetIO().UserData = &state_; // for tooltips
     keeper_.begin(state_, setup_.file.state.has_value(), setup_.script.has_value() || setup_.inert);
     keeper_.note_opened(state_, setup_.file_name);
+    if (!setup_.record.empty())
+        begin_record();
     if (setup_.script)
         script_.emplace(std::move(*setup_.script));
+}
+
+/// From a window that knows nothing of how people have theirs.
+void Viewer::begin_record() {
+    AppState fresh;
+    fresh.options.threshold = paper_threshold;
+    fresh.phases_per_second = 0; // told in any case, and so is the background
+    if (setup_.state_in_file) {
+        restore(fresh, *setup_.state_in_file);
+        fresh.objects.moves = setup_.file.moves;
+    }
+    fresh.look.theme = state_.look.theme == Theme::dark ? Theme::light : Theme::dark;
+    try {
+        recorder_.emplace(setup_.record, setup_.file_name, fresh, state_);
+    } catch (const Unavailable &e) {
+        throw BadInput(std::string("--record: ") + e.what());
+    }
 }
 
 ViewerEnd Viewer::run() {
@@ -112,6 +131,8 @@ void Viewer::show_until_closed(const EndSignal &signal) {
         serve_requests();
         write_state();
     }
+    if (recorder_)
+        recorder_->note(state_, Clock::now(), false);
 }
 
 /// A line at a time, when what the line before has changed was drawn.
@@ -151,9 +172,7 @@ void Viewer::take_reports() {
     for (const Report &report : worker_.take_reports()) {
         if (std::holds_alternative<Stopped>(report) && cancelled_at_)
             state_.cancel_ms = 1e3 * seconds_since(*std::exchange(cancelled_at_, std::nullopt));
-        apply(state_, report);
-        if (const auto *opened = std::get_if<Opened>(&report))
-            keeper_.note_opened(state_, opened->name);
+        take_report(report);
         if (std::holds_alternative<Stopped>(report) && std::exchange(over_memory_limit_, false))
             state_.message = {fmt::format("The memory limit of {:g} MiB stopped the solver; this is the last complete state.",
                                           *setup_.memory_limit),
@@ -168,6 +187,21 @@ void Viewer::take_reports() {
         apply(state_, report);
         frames_owed_ = frames_to_settle;
     }
+}
+
+void Viewer::take_report(const Report &report) {
+    const bool by_line = state_.to_restore.has_value(); // a bookmark in another scene
+    const Scripted before = recorder_ ? scripted(state_) : Scripted();
+    apply(state_, report);
+    const auto *opened = std::get_if<Opened>(&report);
+    if (recorder_ && opened)
+        recorder_->note_opened(opened->name, by_line, before, state_);
+    else if (recorder_ && std::holds_alternative<Stopped>(report))
+        recorder_->note_stopped();
+    else if (recorder_)
+        recorder_->follow(before, state_);
+    if (opened)
+        keeper_.note_opened(state_, opened->name);
 }
 
 /// Passes on to the workers what the actions have asked for.
@@ -382,8 +416,11 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     draw_picture_settings(state_);
     draw_help(state_);
     draw_palette(state_);
-    if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive())
+    const bool held = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
+    if (!held)
         note_changes(state_, Clock::now());
+    if (recorder_)
+        recorder_->note(state_, Clock::now(), held);
 }
 
 void Viewer::take_pictures() {

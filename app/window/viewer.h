@@ -4,6 +4,7 @@
 
 #include "app_state.h"
 #include "check_worker.h"
+#include "recorder.h"
 #include "render/labels.h"
 #include "script.h"
 #include "solve_worker.h"
@@ -23,12 +24,14 @@ namespace penumbra {
 struct ViewerSetup {
     OpenedFile file;                         ///< shown first
     std::string file_name;                   ///< that it was asked for by
+    std::optional<SavedState> state_in_file; ///< as it stands there, whatever else was asked for
     std::vector<std::string> bundled_scenes; ///< names offered
     Options options;
     SolveWorker::ReadFile read_file;
     std::optional<double> memory_limit;      ///< of resident memory, beyond which the solver is stopped [MiB]
     int width = 1280, height = 800;          ///< of the window [screen coordinates]
     std::optional<Script> script;            ///< played first; none: nothing is
+    std::filesystem::path record;            ///< script of what is done; empty: none
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
     bool inert = false;                      ///< for tests of the tests: actions do nothing
     bool lose_context = false;               ///< for tests: after the first step, as if the driver had lost the context
@@ -42,7 +45,7 @@ struct ViewerEnd {
 
 class Viewer {
 public:
-    /// Throws Unavailable where there is no display or no GL 4.1.
+    /// Throws Unavailable where there is no display or no GL 4.1, BadInput where the record cannot be written.
     explicit Viewer(ViewerSetup setup);
     /// Until the window is closed or a signal comes. Throws Unavailable when nothing can be drawn any more; its line says
     /// where the state was kept. When the display's connection ends, Xlib ends the program: then it is this line and
@@ -55,6 +58,8 @@ private:
     std::string rescue() const;
     void on_key(const std::string &key);
     void take_reports();
+    void take_report(const Report &report);
+    void begin_record();
     void serve_requests();
     void keep_memory_limit();
     double wait_time();
@@ -75,6 +80,7 @@ private:
     GlfwWindow window_;
     PaneCanvas canvas_;
     std::optional<ScriptPlayer> script_;
+    std::optional<Recorder> recorder_;
     SolveWorker worker_;
     CheckWorker checker_;
     TruthWorker judge_;
