@@ -26,7 +26,7 @@ bool is_view(std::string_view line) { return line.starts_with("show --camera ");
 /// Lines that ask for a place in the course of the solution.
 bool asks_for_place(std::string_view line) {
     constexpr std::string_view asks[] = {"go ",        "play",           "solve.step",     "solve.sub_step", "solve.back", "solve.sub_back",
-                                         "solve.split", "solve.next_cut", "solve.reset", "solve.end"};
+                                         "solve.split", "solve.link", "solve.next_cut", "solve.reset", "solve.end"};
     return std::ranges::any_of(asks, [&](std::string_view ask) { return line.starts_with(ask); });
 }
 
@@ -58,7 +58,7 @@ Scripted just_opened(Scripted s) {
     p.keyhole.reset();
     p.profile.reset();
     p.pinned_curve.reset();
-    s.place = {0, {}};
+    s.place = {};
     s.playing = false;
     s.element = s.split = {};
     s.outward = s.piece = 0;
@@ -142,7 +142,7 @@ void Recorder::write_lines(const std::vector<std::string> &lines, AppState &stat
 void Recorder::forget_asked() {
     const auto from = lines_.begin() + static_cast<std::ptrdiff_t>(std::min(rested_, lines_.size()));
     lines_.erase(std::remove_if(from, lines_.end(), asks_for_place), lines_.end());
-    known_.place.first = -1; // whatever it has come to is a place of its own
+    known_.place.position = -1; // whatever it has come to is a place of its own
 }
 
 void Recorder::follow(const Scripted &before, AppState &state) { penumbra::follow(known_, before, scripted(state)); }

@@ -77,8 +77,8 @@ void set_options(Lines &lines, Scripted &a, const Scripted &b) {
         return;
     set.end(lines);
     a.set.look.range.reset(); // as every start does
-    if (!b.playing && b.place.first > 0)
-        a.place = {-1, {}};
+    if (!b.playing && b.place.position > 0)
+        a.place = {-1};
 }
 
 void move_objects(Lines &lines, Scripted &a, const Scripted &b) {
@@ -251,7 +251,7 @@ void take_pictures_as(Lines &lines, const Scripted &a, const Scripted &b) {
 } // namespace
 
 std::vector<std::string> way_to(const Scripted &to, bool played) {
-    const auto &[position, split] = to.place;
+    const auto &[position, split, linking] = to.place;
     if (position >= far_ahead)
         return {played ? "play" : "go end"};
     std::string place = std::to_string(iteration_of(position));
@@ -260,8 +260,9 @@ std::vector<std::string> way_to(const Scripted &to, bool played) {
     Lines lines;
     if (played)
         lines.push_back("play " + place);
-    if (!played || split)
-        lines.push_back("go " + place + (split ? " " + std::to_string(*split) : ""));
+    if (!played || split || linking)
+        lines.push_back("go " + place +
+                        (split ? fmt::format(" {}", *split) : linking ? fmt::format(" links {}", *linking) : std::string()));
     return lines;
 }
 

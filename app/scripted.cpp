@@ -23,7 +23,7 @@ Scripted scripted(const AppState &state) {
     s.set = parameters(state);
     if (!state.camera_is_set)
         s.set.camera.reset(); // the first view will be taken
-    s.place = {state.position, state.split};
+    s.place = {state.position, state.split, state.linking};
     s.playing = state.playing;
     s.speed = state.phases_per_second;
     s.caption = state.caption;

@@ -15,7 +15,7 @@ using Picked = std::optional<SurfacePoint>;
 
 struct Scripted {
     Parameters set; ///< its camera only while it is the user's
-    std::pair<int, std::optional<int>> place; ///< position asked for, and splits of its refinement that are shown
+    Place place;
     bool playing = false;
     double speed = 0;
     std::string caption;

@@ -43,6 +43,8 @@ constexpr int step_back(int position) {
 struct Place {
     int position = 0;
     std::optional<int> split{}, linking{}; ///< none: all
+
+    bool operator==(const Place &) const = default;
 };
 
 /// What one strategy has computed so far.

@@ -123,12 +123,14 @@ Act show(const std::string &text) {
 Act go(const Words &words) {
     const Place place = words[1] == "end" ? Place{far_ahead} : place_from(words, 1);
     return [=](AppState &state) {
-        if (state.position != place.position || state.split) {
+        if (state.position != place.position || state.split || state.linking) {
             go_to(state, place.position);
-            return !place.split;
+            return !place.split && !place.linking;
         }
         if (place.split)
             show_splits(state, *place.split);
+        else if (place.linking)
+            show_linkings(state, *place.linking);
         return true;
     };
 }
@@ -197,7 +199,7 @@ struct Form {
     std::size_t least = 0, most = 0; ///< words after it
 };
 constexpr std::size_t any = 1000;
-constexpr Form forms[] = {{"open", 1, any}, {"go", 1, 3},   {"panes", 1, any}, {"set", 1, any}, {"show", 1, any},
+constexpr Form forms[] = {{"open", 1, any}, {"go", 1, 4},   {"panes", 1, any}, {"set", 1, any}, {"show", 1, any},
                           {"say", 0, any},  {"wait", 1, 1}, {"picture", 1, any}, {"window", 1, any}};
 
 Act act_from(const std::string &text, const std::filesystem::path &pictures, double pace) {

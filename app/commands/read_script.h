@@ -10,7 +10,7 @@ namespace penumbra {
 /// A line each, # begins a comment:
 ///   ACTION [TIMES]      any action by its name: solve.step 3, layers.mesh, view.two
 ///   open SCENE          a bundled scene's name or a file
-///   go ITERATION [PHASE [SPLITS]] PHASE: refine, gather or push-pull (the iteration's end); or go end
+///   go ITERATION [PHASE [SPLITS | links PAIRS]]   PHASE: refine, gather or push-pull (the iteration's end); or go end
 ///   panes STRATEGY...   one, two or four of a, b, c, d
 ///   set OPTIONS         as `penumbra solve` has them: set --threshold 0.01 --order 3
 ///   show OPTIONS        as `penumbra render` has them: show --view "3 -4 3 0 0 0 30" --exposure 1

@@ -205,8 +205,15 @@ Place place_from(const Words &words, std::size_t from) {
     const int iteration = whole(words[from], 0);
     const Phase phase = words.size() > from + 1 ? phase_from(words[from + 1]) : Phase::pushed_pulled;
     Place place{iteration == 0 ? 0 : position_of(iteration, phase)};
-    if (words.size() > from + 2)
+    if (words.size() > from + 2 && words[from + 2] == "links") {
+        if (words.size() == from + 3)
+            throw BadInput("how many links?");
+        place.linking = whole(words[from + 3], 1);
+    } else if (words.size() > from + 2) {
         place.split = whole(words[from + 2], 1);
+        if (words.size() > from + 3)
+            throw BadInput(in_quotes(words[from + 3]) + " is a word too many");
+    }
     return place;
 }
 

@@ -16,7 +16,7 @@ using Words = std::vector<std::string_view>;
 
 /// A whole number from `least` on; throws BadInput where it is none.
 int whole(std::string_view word, int least);
-/// ITERATION [PHASE [SPLITS]], from that word on; throws BadInput.
+/// ITERATION [PHASE [SPLITS | links PAIRS]], from that word on; throws BadInput.
 Place place_from(const Words &words, std::size_t from);
 
 /// What the line does whose first word is one of

@@ -118,6 +118,25 @@ TEST_F(RecordTest, ALectureIsPlayedAgainToTheSameState) {
     EXPECT_EQ(joined(differences(again, recorded)), "") << text_of(file);
 }
 
+TEST_F(RecordTest, AWayThroughLinksIsPlayedAgain) {
+    Json recorded;
+    {
+        Session session({"cornell-box", "--threshold", "0.03", "--record", file.string()});
+        session.settled();
+        session.key("Right");
+        session.wait_until("a step", [](const Json &s) { return s["position"] == 3 && !s["busy"]; });
+        session.key("ctrl+Down");
+        session.wait_until("a link", [](const Json &s) { return s["position"] == 4 && s["linking"] == 1 && !s["busy"]; });
+        session.settled();
+        session.click("linkings"); // the middle of the bar: by its effect
+        recorded = session.wait_until("some links", [](const Json &s) { return s["linking"] > 3 && !s["busy"]; });
+        recorded = session.settled();
+    }
+    const Json again = played();
+    EXPECT_EQ(joined(differences(recorded, again)), "") << text_of(file);
+    EXPECT_NE(text_of(file).find("go 2 refine links " + recorded["linking"].dump() + "\n"), std::string::npos) << text_of(file);
+}
+
 TEST_F(RecordTest, WhatIsPickedAndMovedIsPlayedAgain) {
     Json recorded;
     {
