@@ -70,7 +70,7 @@ void show_now(AppState &state, const LookOptions &options) {
     if (options.look.spotlight.curve >= 0)
         state.pinned_curve = options.look.spotlight.curve;
     if (options.view) {
-        state.camera = camera_from(*options.view, *state.scene);
+        state.camera_of(state.panes().active) = camera_from(*options.view, *state.scene);
         state.camera_is_set = state.camera_moved = true;
     }
     if (options.keyhole)
@@ -124,7 +124,7 @@ Act panes(const Words &words) {
     if (chosen.size() == 3 || chosen.size() > 4)
         throw BadInput("panes are one, two or four");
     return [chosen](AppState &state) {
-        set_layout(state, chosen.size() == 1 ? Layout::single : chosen.size() == 2 ? Layout::two : Layout::four);
+        set_layout(state, layout_of(chosen.size()));
         std::ranges::copy(chosen, state.panes().strategies.begin());
         return true;
     };
