@@ -6,6 +6,7 @@
 #include "iteration/after_splits.h"
 #include "iteration/element_report.h"
 #include "iteration/split_filters.h"
+#include "layout.h"
 #include "measure/keyhole.h"
 #include "plot/cost_measure.h"
 #include "picture_mode.h"
@@ -39,11 +40,7 @@ struct Scripted; // scripted.h
 
 using Clock = std::chrono::steady_clock;
 
-enum class Layout { single, two, four };
-inline constexpr std::size_t n_layouts = 3;
-constexpr int n_panes(Layout layout) { return layout == Layout::single ? 1 : layout == Layout::two ? 2 : 4; }
-
-/// Which strategies stand side by side; each layout remembers its own.
+/// Which strategies are compared; each number of panes remembers its own.
 struct PaneSet {
     std::array<Strategy, 4> strategies{};
     int active = 0; ///< the pane that strategy actions change and numbers are told of
@@ -93,7 +90,8 @@ struct SurfacePoint {
 
 /// How wrong the solutions are, as far as it is known; see truth_verbs.h.
 struct TruthMode {
-    std::map<std::uint64_t, std::shared_ptr<const ErrorMap>> maps; ///< by version of the snapshot, of the present run
+    /// By version of the snapshot, and of the one that it is held against (0: the truth), of the present run.
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::shared_ptr<const ErrorMap>> maps;
     double error = 0; ///< of the truth itself, relative; 0: exact, or not known yet
     bool busy = false;
     std::string doing;                 ///< what is being found out, in words
@@ -163,9 +161,11 @@ struct Parameters {
     std::vector<ObjectMove> moves; ///< that led to the scene
     Options options;
     Layout layout{};
-    std::array<PaneSet, n_layouts> pane_sets;
+    std::array<PaneSet, n_pane_sets> pane_sets;
+    double wipe = 0.5;
     Look look;                            ///< its ranges only where they were chosen, without a spotlight
     std::optional<Camera> camera;         ///< none: nobody has moved it
+    std::optional<std::array<Camera, 4>> pane_cameras; ///< none: linked
     std::optional<SurfacePoint> keyhole;  ///< none: closed
     std::optional<std::pair<SurfacePoint, Vec3>> profile; ///< ends of its line; none: closed
     std::optional<int> pinned_curve;
@@ -244,7 +244,8 @@ struct AppState {
 
     // How it is seen.
     Layout layout = Layout::single;
-    std::array<PaneSet, n_layouts> pane_sets{{{{Strategy::discontinuity_wavelet}, 0},
+    double wipe = 0.5; ///< where the divider of layout wipe stands, from the left, 0 to 1
+    std::array<PaneSet, n_pane_sets> pane_sets{{{{Strategy::discontinuity_wavelet}, 0},
                                       {{Strategy::uniform_constant, Strategy::discontinuity_wavelet}, 1},
                                       {{Strategy::uniform_constant, Strategy::discontinuity_constant,
                                         Strategy::uniform_wavelet, Strategy::discontinuity_wavelet},
@@ -254,6 +255,8 @@ struct AppState {
     Camera camera;
     bool camera_is_set = false; ///< false: the first view is taken with the next snapshot
     bool camera_moved = false;  ///< by the user
+    bool cameras_unlinked = false;      ///< panes side by side have these, each its own; else all have the one above
+    std::array<Camera, 4> pane_cameras;
     double first_aspect = 1;    ///< pane_aspect that the first view was made for
     double pane_aspect = 1;     ///< width / height of a pane, in the last frame
     std::optional<Pick> under_cursor;
@@ -317,8 +320,16 @@ struct AppState {
     int inputs = 0;           ///< keys that were pressed so far; tests wait for theirs to be taken
     double cancel_ms = -1;    ///< from the last cancel to its answer; negative: none yet
 
-    PaneSet &panes() { return pane_sets[static_cast<std::size_t>(layout)]; }
-    const PaneSet &panes() const { return pane_sets[static_cast<std::size_t>(layout)]; }
+    PaneSet &panes() { return pane_sets[pane_set_of(layout)]; }
+    const PaneSet &panes() const { return pane_sets[pane_set_of(layout)]; }
+    bool has_own_cameras() const { return cameras_unlinked && n_places(layout) > 1; }
+    const Camera &camera_of(int pane) const { return has_own_cameras() ? pane_cameras[static_cast<std::size_t>(pane)] : camera; }
+    Camera &camera_of(int pane) { return has_own_cameras() ? pane_cameras[static_cast<std::size_t>(pane)] : camera; }
+    const Camera &active_camera() const { return camera_of(panes().active); }
+    /// The look with what the layout makes of it: a difference has its own.
+    Look shown_look() const {
+        return layout == Layout::difference ? look_at({panes().strategies[0], panes().strategies[1]}, look) : look;
+    }
     Strategy active_strategy() const { return panes().strategies[static_cast<std::size_t>(panes().active)]; }
     const Timeline &timeline(Strategy s) const { return timelines[static_cast<std::size_t>(s)]; }
     Timeline &timeline(Strategy s) { return timelines[static_cast<std::size_t>(s)]; }

@@ -72,7 +72,7 @@ void use_view_text(AppState &state, const std::string &text) {
         state.message = {"The clipboard holds no view; Ctrl+C copies one.", false};
         return;
     }
-    state.camera = camera_from(*view, *state.scene);
+    state.camera_of(state.panes().active) = camera_from(*view, *state.scene);
     state.camera_is_set = state.camera_moved = true;
     state.pivot.reset();
     state.message = {"The view of the clipboard.", false};

@@ -12,7 +12,7 @@ std::vector<Action> edit_actions() {
         {"edit.redo", Menu::edit, "Redo", "Does again what was undone.", {"Ctrl+Y", "Ctrl+Shift+Z"}, redo, can_redo},
         {"edit.copy_view", Menu::edit, "Copy view", "The eye, its target and the angle, as text that --view takes.", {"Ctrl+C"},
          [](AppState &s) {
-             s.copy_request = view_text(s.camera);
+             s.copy_request = view_text(s.active_camera());
              s.message = {"Copied: " + *s.copy_request, false};
          },
          has_scene},

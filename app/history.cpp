@@ -17,6 +17,8 @@ constexpr double one_movement = 1; ///< [s]
 
 bool differ_by_camera_alone(const Parameters &a, Parameters b) {
     b.camera = a.camera;
+    if (a.pane_cameras && b.pane_cameras)
+        b.pane_cameras = a.pane_cameras;
     return a == b;
 }
 
@@ -27,6 +29,7 @@ void put_back(AppState &state, const Parameters &p) {
         start_again(state, p.options);
     state.layout = p.layout;
     state.pane_sets = p.pane_sets;
+    state.wipe = p.wipe;
     const Look shown = std::exchange(state.look, p.look);
     state.chosen_range = p.look.range;
     if (!p.look.range)
@@ -36,6 +39,8 @@ void put_back(AppState &state, const Parameters &p) {
     state.camera_is_set = state.camera_moved = p.camera.has_value();
     if (p.camera)
         state.camera = *p.camera;
+    state.cameras_unlinked = p.pane_cameras.has_value();
+    state.pane_cameras = p.pane_cameras.value_or(state.pane_cameras);
     state.keyhole.open = p.keyhole.has_value();
     if (p.keyhole)
         move_keyhole(state, p.keyhole->surface, p.keyhole->point);
@@ -65,6 +70,7 @@ Parameters parameters(const AppState &state) {
     p.options = state.options;
     p.layout = state.layout;
     p.pane_sets = state.pane_sets;
+    p.wipe = state.wipe;
     p.look = state.look;
     p.look.range = state.chosen_range;
     p.look.spotlight = {};
@@ -72,6 +78,8 @@ Parameters parameters(const AppState &state) {
         p.look.error_range.reset();
     if (state.camera_moved)
         p.camera = state.camera;
+    if (state.cameras_unlinked)
+        p.pane_cameras = state.pane_cameras;
     if (state.keyhole.open && state.keyhole.seen)
         p.keyhole = SurfacePoint{state.keyhole.seen->surface.index, state.keyhole.seen->point};
     if (state.profile.open && state.profile.line)
@@ -116,9 +124,9 @@ std::string change_words(const Parameters &a, const Parameters &b) {
     };
     say(a.scene != b.scene, "where things are");
     say(a.options != b.options, "the options");
-    say(a.layout != b.layout || a.pane_sets != b.pane_sets, "the panes");
+    say(a.layout != b.layout || a.pane_sets != b.pane_sets || a.wipe != b.wipe, "the panes");
     say(a.look != b.look || a.legend_hidden != b.legend_hidden, "what is shown");
-    say(a.camera != b.camera, "the view");
+    say(a.camera != b.camera || a.pane_cameras != b.pane_cameras, "the view");
     say(a.keyhole != b.keyhole, "the keyhole");
     say(a.profile != b.profile, "the profile");
     say(a.pinned_curve != b.pinned_curve, "the curve that is pinned");

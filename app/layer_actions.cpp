@@ -29,6 +29,8 @@ bool uses_error(const AppState &s) {
     return s.look.shading == Shading::error && s.look.error == kind;
 }
 bool shows_errors(const AppState &s) { return s.look.shading == Shading::error; }
+/// A difference has its own shading.
+bool has_shading(const AppState &s) { return has_scene(s) && s.layout != Layout::difference; }
 
 void flip_errors(AppState &s) {
     if (shows_errors(s))
@@ -47,10 +49,11 @@ void next_shading(AppState &s) {
     s.look.change.reset();
 }
 
-bool range_is_locked(const AppState &s) { return shows_errors(s) ? s.truth.range_locked : s.chosen_range.has_value(); }
+bool ranges_errors(const AppState &s) { return s.shown_look().shading == Shading::error; }
+bool range_is_locked(const AppState &s) { return ranges_errors(s) ? s.truth.range_locked : s.chosen_range.has_value(); }
 /// Of the errors, where these are shown, else of the radiosity.
 void flip_range_lock(AppState &s) {
-    if (shows_errors(s)) {
+    if (ranges_errors(s)) {
         toggle_range_lock(s);
         return;
     }
@@ -74,25 +77,26 @@ std::vector<Action> layer_actions() {
         {"layers.fresh", Menu::layers, "Highlight new patches", "Outlines for a moment what the last refinement made.",
          {"N"}, [](AppState &s) { s.look.emphasise_fresh = !s.look.emphasise_fresh; }, nullptr,
          [](const AppState &s) { return s.look.emphasise_fresh; }},
-        {"layers.next_shading", Menu::layers, "Next shading", "Polynomial, flat, linear, and so on.", {"P"}, next_shading},
+        {"layers.next_shading", Menu::layers, "Next shading", "Polynomial, flat, linear, and so on.", {"P"}, next_shading,
+         has_shading},
         {"layers.polynomial", Menu::layers, "Polynomial", "The solution itself, evaluated at every pixel.", {},
-         use_shading<Shading::polynomial>, nullptr, uses_shading<Shading::polynomial>},
-        {"layers.flat", Menu::layers, "Flat", "The mean of each patch.", {}, use_shading<Shading::flat>, nullptr,
+         use_shading<Shading::polynomial>, has_shading, uses_shading<Shading::polynomial>},
+        {"layers.flat", Menu::layers, "Flat", "The mean of each patch.", {}, use_shading<Shading::flat>, has_shading,
          uses_shading<Shading::flat>},
         {"layers.linear", Menu::layers, "Linear", "Gouraud's interpolation of averaged corner values.", {},
-         use_shading<Shading::linear>, nullptr, uses_shading<Shading::linear>},
+         use_shading<Shading::linear>, has_shading, uses_shading<Shading::linear>},
         {"layers.error", Menu::layers, "Error", "How wrong the solution is, in place of the light.", {"X"}, flip_errors,
-         has_scene, shows_errors},
+         has_shading, shows_errors},
         {"error.next", Menu::layers, "Next kind of error", "Signed, relative, of the patch, against the estimate.",
-         {"Shift+X"}, next_error, has_scene},
+         {"Shift+X"}, next_error, has_shading},
         {"error.signed", Menu::layers, "Signed error", error_sentence(ErrorKind::signed_error), {},
-         use_error<ErrorKind::signed_error>, has_scene, uses_error<ErrorKind::signed_error>},
+         use_error<ErrorKind::signed_error>, has_shading, uses_error<ErrorKind::signed_error>},
         {"error.relative", Menu::layers, "Relative error", error_sentence(ErrorKind::relative), {},
-         use_error<ErrorKind::relative>, has_scene, uses_error<ErrorKind::relative>},
+         use_error<ErrorKind::relative>, has_shading, uses_error<ErrorKind::relative>},
         {"error.patch", Menu::layers, "Error of each patch", error_sentence(ErrorKind::patch), {},
-         use_error<ErrorKind::patch>, has_scene, uses_error<ErrorKind::patch>},
+         use_error<ErrorKind::patch>, has_shading, uses_error<ErrorKind::patch>},
         {"error.estimate", Menu::layers, "Error against the estimate", error_sentence(ErrorKind::estimate), {},
-         use_error<ErrorKind::estimate>, has_scene, uses_error<ErrorKind::estimate>},
+         use_error<ErrorKind::estimate>, has_shading, uses_error<ErrorKind::estimate>},
         {"layers.lock_range", Menu::layers, "Lock the range",
          "Keeps the scale of colours, or of errors, as it is through steps and strategies, so that they can be compared.", {"K"},
          flip_range_lock, has_scene, range_is_locked},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/options.h"
+#include "layout.h"
 
 #include <array>
 #include <cstdint>
@@ -35,6 +36,7 @@ struct PendingPicture {
     std::uint64_t run = 0; ///< that it is of
     std::vector<Strategy> strategies;
     std::vector<bool> reconstructed; ///< by pane
+    Layout layout{};                 ///< that has so many panes
     int position = 0;
     std::filesystem::path file; ///< empty: the next numbered name
     std::string title;          ///< "Picture 3 of 12"

@@ -29,11 +29,21 @@ void begin(AppState &state, std::deque<PendingPicture> pictures) {
 
 } // namespace
 
+std::vector<int> pictured_panes(const AppState &state) {
+    if (state.layout == Layout::flip)
+        return {state.panes().active};
+    std::vector<int> all;
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        all.push_back(pane);
+    return all;
+}
+
 void compare_meshings(AppState &state) {
     const bool constant = is_constant(state.active_strategy());
     begin(state, {{.run = state.run,
                    .strategies = {strategy_of(false, constant), strategy_of(true, constant)},
                    .reconstructed = {false, false},
+                   .layout = Layout::two,
                    .position = state.shown_position(),
                    .file = {},
                    .title = "Picture of both meshings"}});
@@ -50,9 +60,14 @@ void picture_all_steps(AppState &state) {
         state.message = {e.what(), true};
         return;
     }
-    PendingPicture picture{.run = state.run, .strategies = state.shown(), .reconstructed = {}, .file = {}, .title = {}};
-    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+    PendingPicture picture{
+        .run = state.run, .strategies = {}, .reconstructed = {}, .layout = state.layout, .file = {}, .title = {}};
+    for (const int pane : pictured_panes(state)) {
+        picture.strategies.push_back(state.panes().strategies[static_cast<std::size_t>(pane)]);
         picture.reconstructed.push_back(state.reconstructs(pane));
+    }
+    if (picture.strategies.size() == 1)
+        picture.layout = Layout::single;
     std::deque<PendingPicture> all;
     for (int step = 0; step < n; ++step) {
         picture.position = std::min(step_position(step), last);
@@ -81,10 +96,30 @@ std::shared_ptr<const Snapshot> pictured(const AppState &state, const PendingPic
     return found == state.reconstructions.end() ? nullptr : found->second;
 }
 
-std::shared_ptr<const ErrorMap> pictured_errors(const AppState &state, const Snapshot &snapshot) {
-    const auto found = state.truth.maps.find(snapshot.version);
-    return found == state.truth.maps.end() || found->second->change != state.look.change ? nullptr : found->second;
+std::shared_ptr<const ErrorMap> pictured_errors(const AppState &state, const Judging &judging) {
+    const auto found = state.truth.maps.find({judging.solution->version, judging.against()});
+    const bool known = found != state.truth.maps.end() && (judging.minus || found->second->change == state.look.change);
+    return known ? found->second : nullptr;
 }
+
+namespace {
+
+/// What of it is held against something, as far as it is known.
+std::vector<Judging> judgings(const AppState &state, const PendingPicture &picture) {
+    std::vector<Judging> all;
+    if (picture.layout == Layout::difference) {
+        const auto minus = pictured(state, picture, 0), solution = pictured(state, picture, 1);
+        if (minus && solution)
+            all.push_back({solution, minus});
+    } else if (state.look.shading == Shading::error) {
+        for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane)
+            if (auto solution = pictured(state, picture, pane))
+                all.push_back({std::move(solution), nullptr});
+    }
+    return all;
+}
+
+} // namespace
 
 Readiness readiness(const AppState &state, const PendingPicture &picture) {
     if (picture.run != state.run)
@@ -93,11 +128,11 @@ Readiness readiness(const AppState &state, const PendingPicture &picture) {
         const Timeline &timeline = state.timeline(picture.strategies[pane]);
         if (timeline.ended && timeline.moments.empty())
             return Readiness::hopeless;
-        const auto snapshot = pictured(state, picture, pane);
-        if (!snapshot || (state.look.shading == Shading::error && !pictured_errors(state, *snapshot)))
+        if (!pictured(state, picture, pane))
             return Readiness::waiting;
     }
-    return Readiness::ready;
+    const auto known = [&](const Judging &judging) { return pictured_errors(state, judging) != nullptr; };
+    return std::ranges::all_of(judgings(state, picture), known) ? Readiness::ready : Readiness::waiting;
 }
 
 std::optional<Goal> picture_goal(const AppState &state) {
@@ -114,15 +149,13 @@ std::optional<Goal> picture_goal(const AppState &state) {
     return wanted && picture.run == state.run ? std::optional(std::move(goal)) : std::nullopt;
 }
 
-std::vector<std::shared_ptr<const Snapshot>> to_be_judged(const AppState &state) {
-    std::vector<std::shared_ptr<const Snapshot>> all;
-    if (state.pictures.pending.empty() || state.look.shading != Shading::error)
+std::vector<Judging> to_be_judged(const AppState &state) {
+    std::vector<Judging> all;
+    if (state.pictures.pending.empty())
         return all;
-    const PendingPicture &picture = state.pictures.pending.front();
-    for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane)
-        if (auto snapshot = pictured(state, picture, pane);
-            snapshot && !pictured_errors(state, *snapshot) && std::ranges::find(all, snapshot) == all.end())
-            all.push_back(std::move(snapshot));
+    for (Judging &judging : judgings(state, state.pictures.pending.front()))
+        if (!pictured_errors(state, judging) && std::ranges::find(all, judging) == all.end())
+            all.push_back(std::move(judging));
     return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include "app_state.h"
 #include "solve_worker.h"
+#include "truth_worker.h"
 
 #include <memory>
 #include <optional>
@@ -18,10 +19,12 @@ void picture_all_steps(AppState &state);
 /// Takes no more; those that were taken stay.
 void drop_pictures(AppState &state);
 
+/// Those that a picture of the window needs; of a flip the one that is there.
+std::vector<int> pictured_panes(const AppState &state);
 /// What a pane of a pending picture shows; null: not known yet.
 std::shared_ptr<const Snapshot> pictured(const AppState &state, const PendingPicture &picture, std::size_t pane);
 /// How wrong that is; null: not known yet.
-std::shared_ptr<const ErrorMap> pictured_errors(const AppState &state, const Snapshot &snapshot);
+std::shared_ptr<const ErrorMap> pictured_errors(const AppState &state, const Judging &judging);
 
 enum class Readiness { ready, waiting, hopeless };
 /// Whether it can be taken now; hopeless: its solution failed, or is of another run.
@@ -29,7 +32,7 @@ Readiness readiness(const AppState &state, const PendingPicture &picture);
 /// What the solver should do for the first pending picture; nothing where it has nothing to do for it.
 std::optional<Goal> picture_goal(const AppState &state);
 /// What should be judged for it.
-std::vector<std::shared_ptr<const Snapshot>> to_be_judged(const AppState &state);
+std::vector<Judging> to_be_judged(const AppState &state);
 /// For the status bar; empty: no picture is pending.
 std::string picture_progress(const AppState &state);
 

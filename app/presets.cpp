@@ -11,6 +11,8 @@ constexpr double lecture_scale = 1.5;
 /// The present strategy stays the active pane's.
 void begin(AppState &state, Layout layout, bool panels, double scale, Theme theme, bool links) {
     const Strategy now = state.active_strategy();
+    if (state.has_own_cameras())
+        toggle_cameras(state); // panes are to be compared
     set_layout(state, layout);
     if (layout == Layout::single)
         state.panes().strategies[0] = now;

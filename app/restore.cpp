@@ -13,14 +13,11 @@ namespace penumbra {
 
 namespace {
 
-Layout layout_for(std::size_t n_strategies) {
-    return n_strategies == 1 ? Layout::single : n_strategies == 2 ? Layout::two : Layout::four;
-}
-
 /// Pictures may have other numbers of panes than the window: what is missing is filled up, what is left over falls
 /// away.
 void restore_panes(AppState &state, const SavedState &saved) {
-    state.layout = layout_for(saved.strategies.size());
+    state.layout = saved.layout.value_or(layout_of(saved.strategies.size()));
+    state.wipe = saved.wipe;
     PaneSet &panes = state.panes();
     const std::size_t n = std::min(saved.strategies.size(), panes.strategies.size());
     std::copy_n(saved.strategies.begin(), n, panes.strategies.begin());
@@ -57,6 +54,8 @@ void restore(AppState &state, const SavedState &saved) {
     if (saved.camera)
         state.camera = *saved.camera;
     state.camera_is_set = state.camera_moved = saved.camera.has_value();
+    state.cameras_unlinked = !saved.cameras.empty();
+    std::copy_n(saved.cameras.begin(), std::min(saved.cameras.size(), state.pane_cameras.size()), state.pane_cameras.begin());
     state.pivot.reset();
     state.look = saved.look;
     state.look.spotlight = {};

@@ -100,15 +100,19 @@ void move_objects(Lines &lines, Scripted &a, const Scripted &b) {
 
 void choose_panes(Lines &lines, Scripted a, const Scripted &b) {
     const int n = n_panes(b.set.layout);
-    const auto index = static_cast<std::size_t>(b.set.layout);
+    const std::size_t index = pane_set_of(b.set.layout);
     PaneSet now = a.set.pane_sets[index];
     const PaneSet &to = b.set.pane_sets[index];
     if (a.set.layout != b.set.layout || !std::equal(now.strategies.begin(), now.strategies.begin() + n, to.strategies.begin())) {
         std::string letters;
         for (int i = 0; i < n; ++i)
             letters += std::string(" ") + letter(to.strategies[static_cast<std::size_t>(i)]);
-        lines.push_back("panes" + letters);
+        lines.push_back("panes" + letters + (share_a_place(b.set.layout) ? " " + std::string(name(b.set.layout)) : ""));
+        if (b.set.layout == Layout::difference)
+            now.active = 1; // which it makes so
     }
+    if (a.set.wipe != b.set.wipe)
+        lines.push_back("wipe " + text(b.set.wipe));
     const auto go_to_pane = [&](int pane) {
         if (const int times = (pane - now.active + n) % n; times > 0)
             lines.push_back(times == 1 ? "view.next_pane" : "view.next_pane " + std::to_string(times));
@@ -149,6 +153,44 @@ void show_curves(OptionLine &show, const CurveFilter &from, const CurveFilter &t
         show.add("curve-source", to.source < 0 ? "all" : std::to_string(to.source));
 }
 
+std::string camera_line(const Camera &c) {
+    return fmt::format("show --camera \"{} {} {} {}\"", triple(c.eye), triple(c.target), triple(c.up), c.fov_y);
+}
+
+/// Views of panes that have their own are gone through once, back to the active one.
+void show_cameras(Lines &lines, const Parameters &a, const Parameters &b) {
+    const int n = n_places(b.layout);
+    const auto active = static_cast<std::size_t>(b.pane_sets[pane_set_of(b.layout)].active);
+    if (n > 1 && a.pane_cameras.has_value() != b.pane_cameras.has_value())
+        lines.emplace_back("view.unlink");
+    if (n == 1 || !b.pane_cameras) {
+        const std::optional<Camera> now = n > 1 && a.pane_cameras ? (*a.pane_cameras)[active] : a.camera;
+        if (b.camera && now != b.camera)
+            lines.push_back(camera_line(*b.camera));
+        else if (now && !b.camera)
+            lines.emplace_back("view.reset");
+        return;
+    }
+    const auto same = [&](std::size_t pane) {
+        return a.pane_cameras ? (*a.pane_cameras)[pane] == (*b.pane_cameras)[pane] : a.camera == (*b.pane_cameras)[pane];
+    };
+    int passed = 0; // panes, since the last line
+    const auto pass = [&] {
+        if (passed > 0)
+            lines.push_back(passed == 1 ? "view.next_pane" : fmt::format("view.next_pane {}", passed));
+        passed = 0;
+    };
+    bool any = false;
+    for (int k = 0; k < n; ++k, ++passed)
+        if (const auto pane = (active + static_cast<std::size_t>(k)) % static_cast<std::size_t>(n); !same(pane)) {
+            pass();
+            lines.push_back(camera_line((*b.pane_cameras)[pane]));
+            any = true;
+        }
+    if (any && passed < n)
+        pass();
+}
+
 void show_look(Lines &lines, const Scripted &a, const Scripted &b) {
     const Look &from = a.set.look, &to = b.set.look;
     const bool unlocks = from.range && !to.range, unlocks_errors = from.error_range && !to.error_range && from.error == to.error;
@@ -177,11 +219,7 @@ void show_look(Lines &lines, const Scripted &a, const Scripted &b) {
     show.end(lines);
     if (a.set.pinned_curve && !b.set.pinned_curve)
         lines.emplace_back("unpin");
-    if (b.set.camera && a.set.camera != b.set.camera)
-        lines.push_back(fmt::format("show --camera \"{} {} {} {}\"", triple(b.set.camera->eye), triple(b.set.camera->target),
-                                    triple(b.set.camera->up), b.set.camera->fov_y));
-    else if (a.set.camera && !b.set.camera)
-        lines.emplace_back("view.reset");
+    show_cameras(lines, a.set, b.set);
     if (b.pivot && a.pivot != b.pivot)
         lines.push_back("pivot " + triple(*b.pivot));
 }

@@ -160,7 +160,7 @@ std::optional<double> advance_splits(AppState &state, Clock::time_point now) {
 }
 
 void begin_animation(AppState &state) {
-    if (state.animates_splits && state.look.shading != Shading::error && phase_of(state.position) == Phase::refined)
+    if (state.animates_splits && state.shown_look().shading != Shading::error && phase_of(state.position) == Phase::refined)
         show_splits(state, 1);
 }
 

@@ -32,7 +32,7 @@ void step_once(AppState &state) {
 }
 
 void put_all_strategies_in_four(AppState &state) {
-    PaneSet &panes = state.pane_sets[static_cast<std::size_t>(Layout::four)];
+    PaneSet &panes = state.pane_sets[pane_set_of(Layout::four)];
     std::ranges::copy(all_strategies, panes.strategies.begin());
     panes.reconstructed.fill(false);
     step_once(state);

@@ -11,6 +11,16 @@ namespace penumbra {
 
 namespace {
 
+/// Those whose errors are shown; of a difference the second alone.
+std::vector<int> judged_panes(const AppState &state) {
+    if (state.layout == Layout::difference)
+        return {1};
+    std::vector<int> all;
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        all.push_back(pane);
+    return all;
+}
+
 void apply(AppState &state, const TruthDoing &doing) {
     state.truth.busy = true;
     state.truth.doing = doing.sentence;
@@ -23,7 +33,7 @@ void apply(AppState &state, const TruthFound &found) {
 
 void apply(AppState &state, const ErrorsMapped &mapped) {
     if (mapped.scene == state.scene)
-        state.truth.maps[mapped.map->version] = mapped.map;
+        state.truth.maps[{mapped.map->version, mapped.map->against}] = mapped.map;
 }
 
 void apply(AppState &state, const ProfileFollowed &followed) {
@@ -51,48 +61,72 @@ void apply(AppState &state, const TruthReport &report) {
 
 TruthGoal truth_goal(const AppState &state) {
     TruthGoal goal;
-    const bool errors = state.look.shading == Shading::error;
-    if (!state.scene || state.truth.halted || !(errors || state.profile.open))
+    const Look look = state.shown_look();
+    const bool errors = look.shading == Shading::error;
+    std::vector<Judging> for_pictures = to_be_judged(state);
+    if (!state.scene || state.truth.halted || !(errors || state.profile.open || !for_pictures.empty()))
         return goal;
     goal.scene = state.scene;
     goal.run = state.run;
-    if (errors)
+    if (errors || !for_pictures.empty())
         goal.change = state.look.change;
-    for (int pane = 0; pane < n_panes(state.layout); ++pane)
-        if (const auto snapshot = state.shown_snapshot(pane);
-            snapshot && errors && !state.awaits_reconstruction(pane) && !errors_of(state, pane))
-            goal.solutions.push_back(snapshot);
-    for (auto &snapshot : to_be_judged(state))
-        if (std::ranges::find(goal.solutions, snapshot) == goal.solutions.end())
-            goal.solutions.push_back(std::move(snapshot));
+    const auto is_there = [&](int pane) { return state.shown_snapshot(pane) && !state.awaits_reconstruction(pane); };
+    const auto minus = subtracted(state);
+    for (const int pane : judged_panes(state))
+        if (errors && is_there(pane) && !errors_of(state, pane) && (!look.difference || (minus && is_there(0))))
+            goal.solutions.push_back({state.shown_snapshot(pane), minus});
+    for (Judging &judging : for_pictures)
+        if (std::ranges::find(goal.solutions, judging) == goal.solutions.end())
+            goal.solutions.push_back(std::move(judging));
     goal.profile = profile_question(state);
     return goal;
 }
 
 std::shared_ptr<const ErrorMap> errors_of(const AppState &state, int pane) {
     const auto snapshot = state.shown_snapshot(pane);
-    return snapshot ? pictured_errors(state, *snapshot) : nullptr;
+    const auto minus = subtracted(state);
+    if (!snapshot || (state.layout == Layout::difference && !minus))
+        return nullptr;
+    return pictured_errors(state, {snapshot, minus});
+}
+
+std::shared_ptr<const Snapshot> subtracted(const AppState &state) {
+    return state.layout == Layout::difference ? state.shown_snapshot(0) : nullptr;
+}
+
+std::optional<Rgb> difference_under_cursor(const AppState &state) {
+    const auto minus = subtracted(state);
+    if (!minus || !state.under_cursor || state.under_cursor->patch < 0)
+        return std::nullopt;
+    const Pick &pick = *state.under_cursor;
+    const Vec2 p = to_plane(minus->surfaces[static_cast<std::size_t>(pick.surface)], pick.point);
+    const int patch = patch_at(*minus, pick.surface, p);
+    if (patch < 0)
+        return std::nullopt;
+    return Rgb(pick.radiosity - radiosity(*minus, minus->patches[static_cast<std::size_t>(patch)], p));
 }
 
 void update_error_range(AppState &state) {
-    if (state.look.shading != Shading::error || (state.truth.range_locked && state.look.error_range))
+    const Look look = state.shown_look();
+    if (look.shading != Shading::error || (state.truth.range_locked && state.look.error_range))
         return;
     std::vector<Judged> judged;
-    std::vector<std::uint64_t> versions{static_cast<std::uint64_t>(state.look.error)};
+    std::vector<std::uint64_t> versions{static_cast<std::uint64_t>(look.error)};
     std::vector<std::shared_ptr<const void>> kept;
-    for (int pane = 0; pane < n_panes(state.layout); ++pane) {
+    for (const int pane : judged_panes(state)) {
         const auto map = errors_of(state, pane);
         const auto snapshot = state.shown_snapshot(pane);
         if (!map)
             return;
         judged.push_back({snapshot.get(), map.get()});
         versions.push_back(map->version);
+        versions.push_back(map->against);
         versions.push_back(map->change ? 1 + static_cast<std::uint64_t>(map->change->effect) : 0);
         kept.insert(kept.end(), {snapshot, map});
     }
     if (state.look.error_range && versions == state.truth.ranged)
         return;
-    state.look.error_range = error_range(state.look.error, judged);
+    state.look.error_range = error_range(look.error, judged);
     state.truth.ranged = std::move(versions);
 }
 

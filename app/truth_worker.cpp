@@ -84,11 +84,12 @@ std::optional<TruthWorker::Task> TruthWorker::next_task() const {
     if (!goal_.scene || failed_)
         return std::nullopt;
     if (goal_.profile && goal_.profile->id != followed_)
-        return Task{mapper_ ? Kind::follow : Kind::find, goal_, nullptr};
-    for (const auto &solution : goal_.solutions)
-        if (!mapped_.contains(solution->version)) {
+        return Task{mapper_ ? Kind::follow : Kind::find, goal_, {}};
+    for (const Judging &judging : goal_.solutions)
+        if (!mapped_.contains({judging.solution->version, judging.against()})) {
             const Kind missing = goal_.change ? Kind::change : Kind::find;
-            return Task{mapper_for(goal_, *solution) ? Kind::map : missing, goal_, solution};
+            const bool can_map = judging.minus || mapper_for(goal_, *judging.solution);
+            return Task{can_map ? Kind::map : missing, goal_, judging};
         }
     return std::nullopt;
 }
@@ -99,14 +100,14 @@ bool TruthWorker::still_wanted(const Task &task) const {
     const auto wants = [&](const auto &solution) { return std::ranges::any_of(goal_.solutions, solution); };
     switch (task.kind) {
     case Kind::find:
-        return goal_.profile || (!goal_.solutions.empty() && !goal_.change);
+        return goal_.profile || (!goal_.change && wants([](const Judging &j) { return !j.minus; }));
     case Kind::change:
         return goal_.change == task.goal.change && goal_.run == task.goal.run &&
-               wants([&](const auto &s) { return s->options.strategy == task.solution->options.strategy; });
+               wants([&](const Judging &j) { return j.solution->options.strategy == task.judging.solution->options.strategy; });
     case Kind::follow:
         return goal_.profile && goal_.profile->id == task.goal.profile->id;
     case Kind::map:
-        return goal_.change == task.goal.change && wants([&](const auto &s) { return s == task.solution; });
+        return goal_.change == task.goal.change && wants([&](const Judging &j) { return j == task.judging; });
     }
     return false;
 }
@@ -129,18 +130,9 @@ void TruthWorker::do_task(const Task &task) {
             followed_ = q.id;
             break;
         }
-        case Kind::map: {
-            const char *mapping = task.goal.change ? "measuring the change" : "measuring the error";
-            report(TruthDoing{mapping});
-            const auto told = [&](int percent) {
-                report(TruthDoing{mapping + (": " + std::to_string(percent) + " %")});
-            };
-            ErrorMapper &mapper = *mapper_for(task.goal, *task.solution);
-            report(ErrorsMapped{task.goal.scene, mapper.map(*task.solution, &cancel_, told)});
-            const std::scoped_lock lock(mutex_);
-            mapped_.insert(task.solution->version);
+        case Kind::map:
+            map(task);
             break;
-        }
         }
     } catch (const Cancelled &) {
         // Something else is wanted now.
@@ -168,13 +160,27 @@ void TruthWorker::find(const Task &task) {
     report(TruthFound{task.goal.scene, error});
 }
 
+void TruthWorker::map(const Task &task) {
+    const auto &[solution, minus] = task.judging;
+    const char *mapping = minus ? "measuring the difference" : task.goal.change ? "measuring the change" : "measuring the error";
+    report(TruthDoing{mapping});
+    const auto told = [&](int percent) { report(TruthDoing{mapping + (": " + std::to_string(percent) + " %")}); };
+    std::optional<ErrorMapper> of_two;
+    if (minus)
+        of_two.emplace(truth_in(minus));
+    ErrorMapper &mapper = of_two ? *of_two : *mapper_for(task.goal, *solution);
+    report(ErrorsMapped{task.goal.scene, mapper.map(*solution, &cancel_, told)});
+    const std::scoped_lock lock(mutex_);
+    mapped_.emplace(solution->version, task.judging.against());
+}
+
 void TruthWorker::solve_changed(const Task &task) {
     const std::string with = "solving with " + words(*task.goal.change);
     report(TruthDoing{with});
     const auto told = [&](const Counters &c) {
         report(TruthDoing{with + ": step " + std::to_string(c.iteration) + ", " + std::to_string(c.patches) + " patches"});
     };
-    const Options &options = task.solution->options;
+    const Options &options = task.judging.solution->options;
     auto mapper = std::make_unique<ErrorMapper>(
         with_change(task.goal.scene, options, *task.goal.change, &cancel_, told));
     const std::scoped_lock lock(mutex_);

@@ -17,6 +17,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,13 +34,22 @@ struct ProfileQuestion {
     std::vector<double> breaks; ///< see true_profile()
 };
 
+/// A solution that a map is wanted of.
+struct Judging {
+    std::shared_ptr<const Snapshot> solution;
+    std::shared_ptr<const Snapshot> minus; ///< another that it is held against; null: the truth, or what the goal's change makes
+
+    std::uint64_t against() const { return minus ? minus->version : 0; }
+    bool operator==(const Judging &) const = default;
+};
+
 /// What the window would know; all of one scene.
 struct TruthGoal {
     std::shared_ptr<const Scene> scene;
     std::uint64_t run = 0;                                  ///< that the solutions are of
-    std::optional<EffectChange> change;                     ///< maps are of what it changes; none: of what misses the truth
-    std::vector<std::shared_ptr<const Snapshot>> solutions; ///< to be mapped, the most wanted first
-    std::optional<ProfileQuestion> profile;                 ///< goes before the maps
+    std::optional<EffectChange> change;     ///< maps are of what it changes; none: of what misses the truth
+    std::vector<Judging> solutions;         ///< to be mapped, the most wanted first
+    std::optional<ProfileQuestion> profile; ///< goes before the maps
 
     bool operator==(const TruthGoal &o) const {
         return scene == o.scene && run == o.run && change == o.change && solutions == o.solutions &&
@@ -87,7 +97,7 @@ private:
     struct Task {
         Kind kind{};
         TruthGoal goal;
-        std::shared_ptr<const Snapshot> solution; ///< to be mapped, or whose options are to be changed
+        Judging judging; ///< to be mapped, or whose options are to be changed
     };
 
     void work(const std::stop_token &stop);
@@ -96,6 +106,7 @@ private:
     void do_task(const Task &task);
     void find(const Task &task);
     void solve_changed(const Task &task);
+    void map(const Task &task);
     /// Lets go of what is of another scene, run or change than the goal's. While nothing runs.
     void forget_the_past();
     /// Against what the goal's maps are made; null: not known yet.
@@ -118,7 +129,7 @@ private:
     std::optional<EffectChange> change_; ///< that maps are of; none: of the truth
     std::uint64_t run_ = 0;              ///< that changed solutions are of
     std::array<std::unique_ptr<ErrorMapper>, 4> changed_; ///< by strategy: against the solution with the change
-    std::set<std::uint64_t> mapped_; ///< versions
+    std::set<std::pair<std::uint64_t, std::uint64_t>> mapped_; ///< versions, and what they were held against
     int followed_ = 0;               ///< id of the last profile
     bool failed_ = false;            ///< what maps are made against is not to be had
     Cancel cancel_;

@@ -86,7 +86,7 @@ void apply(AppState &state, const Opened &opened) {
     state.position = 0;
     state.prices = {};
     if (!same)
-        state.camera_is_set = false;
+        state.camera_is_set = state.cameras_unlinked = false;
     forget_changes(state);
     const std::vector<std::string> notes = opened.file.notes();
     state.message = {"Opened " + scene.name + ": " + std::to_string(scene.n_surfaces()) + " surfaces." +
@@ -304,16 +304,51 @@ void toggle_reconstruction(AppState &state) {
 }
 
 void set_layout(AppState &state, Layout layout) {
+    const ErrorKind ranged = state.shown_look().error;
     state.layout = layout;
+    if (state.shown_look().error != ranged) { // its range is of another unit
+        state.look.error_range.reset();
+        state.truth.range_locked = false;
+    }
+    if (layout == Layout::difference) {
+        state.panes().active = 1;
+        state.truth.halted = false;
+    }
     state.halted = false;
     state.message = {};
 }
 
-void reset_view(AppState &state) { state.camera_is_set = false; }
+void toggle_cameras(AppState &state) {
+    if (!state.cameras_unlinked)
+        state.pane_cameras.fill(state.camera);
+    else
+        state.camera = state.active_camera();
+    state.camera_moved = true;
+    state.cameras_unlinked = !state.cameras_unlinked;
+    state.message = {state.cameras_unlinked ? "Each pane has a view of its own." : "All panes have the active pane's view.", false};
+}
+
+void flip(AppState &state) {
+    if (state.layout == Layout::flip)
+        state.panes().active = 1 - state.panes().active;
+    set_layout(state, Layout::flip);
+    state.message = {std::string("(") + letter(state.active_strategy()) + ") " +
+                         std::string(title(state.active_strategy())) + "; Shift+W shows the other.",
+                     false};
+}
+
+void reset_view(AppState &state) {
+    const auto snapshot = state.snapshot(state.active_strategy());
+    if (!state.has_own_cameras())
+        state.camera_is_set = false;
+    else if (snapshot && state.scene)
+        state.camera_of(state.panes().active) = first_view(*state.scene, *snapshot, state.pane_aspect);
+}
 
 void fit_view(AppState &state) {
     if (const auto snapshot = state.snapshot(state.active_strategy())) {
-        state.camera = fit(state.camera, *snapshot, state.pane_aspect);
+        Camera &camera = state.camera_of(state.panes().active);
+        camera = fit(camera, *snapshot, state.pane_aspect);
         state.camera_moved = true;
         state.pivot.reset();
     }

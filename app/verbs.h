@@ -38,6 +38,10 @@ void set_strategy(AppState &state, Strategy strategy);
 /// Draws the active pane's constants as quadratics, or as they are again.
 void toggle_reconstruction(AppState &state);
 void set_layout(AppState &state, Layout layout);
+/// Gives each pane a view of its own, at first the same; or all of them the active pane's.
+void toggle_cameras(AppState &state);
+/// One of the two strategies that are compared, in one pane; where that is shown already, the other in its place.
+void flip(AppState &state);
 void reset_view(AppState &state);
 void fit_view(AppState &state);
 

@@ -110,19 +110,19 @@ void set_profile(LookOptions &options, const std::string &text) {
 }
 
 /// What read_state refuses is refused here, too.
-void set_camera(LookOptions &options, const std::string &text) {
+Camera camera_from_text(const char *option, const std::string &text) {
     const auto given = numbers<10>(text);
     if (!given)
-        refuse("--camera", text, "\"ex ey ez tx ty tz ux uy uz fov\": eye, target, up, and the vertical angle in degrees");
+        refuse(option, text, "\"ex ey ez tx ty tz ux uy uz fov\": eye, target, up, and the vertical angle in degrees");
     const auto triple = [&](int at) { return glm::dvec3((*given)[at], (*given)[at + 1], (*given)[at + 2]); };
     Camera camera{triple(0), triple(3), triple(6), (*given)[9]};
     const double up = glm::length(camera.up), away = glm::distance(camera.eye, camera.target);
     if (!(camera.fov_y >= 0.01 && camera.fov_y <= 175) || !(up > 0) || !(away > 0) ||
         !(glm::length(glm::cross((camera.target - camera.eye) / away, camera.up / up)) > 1e-9))
-        refuse("--camera", text, "a view: the eye is not in its target nor looks along its up, and the angle is from 0.01 to 175");
+        refuse(option, text, "a view: the eye is not in its target nor looks along its up, and the angle is from 0.01 to 175");
     if (std::abs(up - 1) > 1e-9)
         camera.up /= up;
-    options.camera = camera;
+    return camera;
 }
 
 void add_curve_options(CLI::App &parser, LookOptions &options) {
@@ -240,10 +240,20 @@ void add_look_options(CLI::App &parser, LookOptions &options) {
         "\"ex ey ez tx ty tz fov\": eye, target, vertical angle [degrees]; the scene's own unless given");
     parser
         .add_option_function<std::string>(
-            "--camera", [&](const std::string &text) { set_camera(options, text); },
+            "--camera", [&](const std::string &text) { options.camera = camera_from_text("--camera", text); },
             "\"ex ey ez tx ty tz ux uy uz fov\": as --view with the up direction, and just so whatever the picture's "
             "shape, where --view steps back for narrow ones")
         ->excludes("--view");
+    parser
+        .add_option_function<std::vector<std::string>>(
+            "--pane-camera",
+            [&](const std::vector<std::string> &texts) {
+                options.cameras.clear();
+                for (const std::string &text : texts)
+                    options.cameras.push_back(camera_from_text("--pane-camera", text));
+            },
+            "As --camera, for one of the panes side by side; given for each of them, in their order")
+        ->allow_extra_args(false);
     parser.add_option("--caption", options.caption, "A sentence below the panes");
     parser.add_option("--exposure", options.look.exposure_ev, "EV: radiosity is shown 2^EV times as bright")
         ->check(CLI::Range(-40.0, 40.0))

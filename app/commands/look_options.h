@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace penumbra {
 
@@ -20,6 +21,7 @@ struct LookOptions {
     std::optional<bool> fresh; ///< new patches stand out; none: where steps are counted
     Look look;
     std::optional<View> view; ///< for pictures of 4:3 and wider; none: the scene's own
+    std::vector<Camera> cameras;  ///< by pane, before all other views; empty: all panes have the one
     std::optional<Camera> camera; ///< whatever the picture's shape; the view goes before
     std::string caption; ///< below the panes; empty: none
     std::string curve_source; ///< name or number of a surface; empty: all
@@ -28,7 +30,7 @@ struct LookOptions {
 };
 
 /// --size, --supersample, --transparent, --labels, --legend, --layers, --fresh, --curve-kinds, --curve-orders,
-/// --curve-source, --curve, --keyhole, --profile, --shading, --error, --error-range, --view, --camera, --exposure,
+/// --curve-source, --curve, --keyhole, --profile, --shading, --error, --error-range, --view, --camera, --pane-camera, --exposure,
 /// --range, --false-colour, --background; most of the flags with a --no- of their own.
 void add_look_options(CLI::App &parser, LookOptions &options);
 

@@ -72,7 +72,7 @@ int source_from(const std::string &text, const Scene &scene) {
 }
 
 void look_at(AppState &state, const Camera &camera) {
-    state.camera = camera;
+    state.camera_of(state.panes().active) = camera;
     state.camera_is_set = state.camera_moved = true;
 }
 
@@ -137,7 +137,10 @@ Act go(const Words &words) {
 
 Act panes(const Words &words) {
     std::vector<Strategy> chosen;
-    for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::optional<Layout> named = layout_from_name(words.back());
+    if (named && (!share_a_place(*named) || words.size() != 4))
+        throw BadInput(in_quotes(words.back()) + " is no way to compare two strategies; there are wipe, flip and difference");
+    for (std::size_t i = 1; i < words.size() - named.has_value(); ++i) {
         const auto found = std::ranges::find(all_strategies, words[i], [](Strategy s) { return std::string_view(letter(s)); });
         if (found == std::end(all_strategies))
             throw BadInput(in_quotes(words[i]) + " is no strategy; there are a, b, c and d");
@@ -145,8 +148,8 @@ Act panes(const Words &words) {
     }
     if (chosen.size() == 3 || chosen.size() > 4)
         throw BadInput("panes are one, two or four");
-    return [chosen](AppState &state) {
-        set_layout(state, chosen.size() == 1 ? Layout::single : chosen.size() == 2 ? Layout::two : Layout::four);
+    return [=](AppState &state) {
+        set_layout(state, named.value_or(layout_of(chosen.size())));
         std::ranges::copy(chosen, state.panes().strategies.begin());
         return true;
     };

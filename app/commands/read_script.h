@@ -11,7 +11,7 @@ namespace penumbra {
 ///   ACTION [TIMES]      any action by its name: solve.step 3, layers.mesh, view.two
 ///   open SCENE          a bundled scene's name or a file
 ///   go ITERATION [PHASE [SPLITS | links PAIRS]]   PHASE: refine, gather or push-pull (the iteration's end); or go end
-///   panes STRATEGY...   one, two or four of a, b, c, d
+///   panes STRATEGY... [LAYOUT]   one, two or four of a, b, c, d; two of them also in one place: wipe, flip or difference
 ///   set OPTIONS         as `penumbra solve` has them: set --threshold 0.01 --order 3
 ///   show OPTIONS        as `penumbra render` has them: show --view "3 -4 3 0 0 0 30" --exposure 1
 ///   say TEXT            a caption; nothing: none

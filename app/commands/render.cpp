@@ -45,7 +45,9 @@ struct Pane {
 };
 
 struct RenderOptions {
-    std::vector<Pane> panes; ///< side by side, labelled; empty: the one of --strategy
+    std::vector<Pane> panes; ///< labelled; empty: the one of --strategy
+    bool subtracts = false;     ///< two panes: the second minus the first is drawn
+    std::optional<double> wipe; ///< two panes stand in one place, left and right of a divider there; none: side by side
     std::optional<int> steps;    ///< none: to `position`
     std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
     Phase phase = Phase::pushed_pulled; ///< that the last of `steps` stops after
@@ -67,9 +69,14 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
         lettered || std::ranges::count(state.reconstructed, true) > 0) {
         options.panes.clear();
         for (std::size_t i = 0; i < state.strategies.size(); ++i)
-            options.panes.push_back(
-                {state.strategies[i], i < state.reconstructed.size() && state.reconstructed[i], lettered});
+            if (state.layout != Layout::flip || static_cast<int>(i) == state.active)
+                options.panes.push_back(
+                    {state.strategies[i], i < state.reconstructed.size() && state.reconstructed[i], lettered});
     }
+    if (state.layout == Layout::wipe)
+        options.wipe = state.wipe;
+    options.subtracts = state.layout == Layout::difference;
+    options.look.cameras = state.cameras;
     options.priced = picture.priced;
     options.look.legend = state.legend;
     options.look.labels = picture.labels;
@@ -97,6 +104,12 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
         options.panes.clear();
     if (parser.count("--panes") > 0)
         options.priced = true;
+    if (options.panes.size() != 2) { // a state's layout; other panes were asked for
+        options.wipe.reset();
+        options.subtracts = false;
+    }
+    if (parser.count("--pane-camera") == 0 && options.look.cameras.size() != options.panes.size())
+        options.look.cameras.clear();
     if (options.steps)
         options.look.look.emphasise_fresh = true;
 }
@@ -165,6 +178,22 @@ void set_panes(RenderOptions &options, const std::string &text) {
     }
 }
 
+constexpr double usual_wipe = 0.5;
+
+void set_layout(RenderOptions &options, const std::string &text) {
+    options.wipe = text == "wipe" ? options.wipe.value_or(usual_wipe) : std::optional<double>();
+    options.subtracts = text == "difference";
+    if (options.wipe || options.subtracts) {
+        if (options.panes.size() != 2)
+            set_panes(options, "a,d");
+        return;
+    }
+    options.panes.clear();
+    if (text == "compare")
+        for (const Strategy s : all_strategies)
+            options.panes.push_back({.strategy = s});
+}
+
 /// What each of two solutions took for its error; `tracing` is the time in which the curves were found [s].
 std::string price(const Snapshot &one, const Snapshot &other, double tracing) {
     if (!(one.error >= 0) || !(other.error >= 0) || !(one.counters.seconds > 0))
@@ -223,9 +252,12 @@ std::optional<ProfileData> judge(const std::shared_ptr<const Scene> &scene, Pict
                                  const CommonOptions &common) {
     const bool changes = spec.look.shading == Shading::error && spec.look.change;
     std::optional<Truth> truth;
-    if (!changes || spec.profile)
+    if (!(changes || spec.look.difference) || spec.profile)
         truth = find_truth(scene, cancel, common);
-    if (changes) {
+    if (spec.look.difference) {
+        for (PicturePane &pane : spec.panes)
+            pane.errors = ErrorMapper(truth_in(pane.minus)).map(*pane.snapshot, &cancel);
+    } else if (changes) {
         for (PicturePane &pane : spec.panes)
             pane.errors = ErrorMapper(find_changed(scene, pane.snapshot->options, *spec.look.change, cancel, common))
                               .map(*pane.snapshot, &cancel);
@@ -240,6 +272,14 @@ std::optional<ProfileData> judge(const std::shared_ptr<const Scene> &scene, Pict
     for (const PicturePane &pane : spec.panes)
         solutions.push_back(pane.snapshot);
     return profile_along(*spec.profile, solutions, *truth, &cancel);
+}
+
+/// The first of two panes from the second.
+void subtract(PictureSpec &spec) {
+    const Strategy first = spec.panes[0].snapshot->options.strategy, second = spec.panes[1].snapshot->options.strategy;
+    spec.look = look_at({first, second}, spec.look);
+    spec.panes[1].minus = spec.panes[0].snapshot;
+    spec.panes.erase(spec.panes.begin());
 }
 
 /// An error's scale has its middle at no error, and powers only of what is above 0.
@@ -281,7 +321,12 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     spec.caption = options.look.caption;
     spec.legend = options.look.legend;
     spec.supersample = options.look.supersample;
-    spec.columns = options.panes.size() > 1 ? 2 : 1;
+    spec.wipe = options.wipe;
+    spec.columns = options.panes.size() > 1 && !spec.wipe && !options.subtracts ? 2 : 1;
+    if (const std::size_t n = std::max<std::size_t>(1, options.panes.size()), given = options.look.cameras.size();
+        given > 0 && (given != n || spec.wipe || options.subtracts))
+        throw BadInput(fmt::format("--pane-camera: there are {} for {}; give one for each of the panes side by side", given,
+                                   spec.wipe || options.subtracts ? "panes in one place" : fmt::format("{} panes", n)));
     bool converged = true;
     std::string out_of_reach; // why, where a solution cannot come to the tolerance
     double tracing = 0;
@@ -312,6 +357,10 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     choose_curves(options, first, spec.look);
     if (options.panes.size() == 2 && options.priced && !options.panes[0].as_quadratics && !options.panes[1].as_quadratics)
         spec.price = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
+    if (options.subtracts)
+        subtract(spec);
+    for (std::size_t i = 0; i < options.look.cameras.size(); ++i)
+        spec.panes[i].camera = options.look.cameras[i];
     if (options.look.keyhole)
         spec.keyhole = look_from(scene, *options.look.keyhole, options.keyhole_field);
     std::optional<ProfileData> profile;
@@ -363,15 +412,19 @@ Command add_render(CLI::App &root) {
     add_up_option(*parser, *solving);
     parser
         ->add_option_function<std::string>(
-            "--layout",
-            [options](const std::string &text) {
-                options->panes.clear();
-                if (text == "compare")
-                    for (const Strategy s : all_strategies)
-                        options->panes.push_back({.strategy = s});
+            "--layout", [options](const std::string &text) { set_layout(*options, text); },
+            "single (default), compare: the four strategies, labelled, or two of them (--panes) in one picture: wipe, one left "
+            "of a divider and one right of it, or difference, the second minus the first")
+        ->check(CLI::IsMember({"single", "compare", "wipe", "difference"}));
+    parser
+        ->add_option_function<double>(
+            "--wipe",
+            [options](double share) {
+                set_layout(*options, "wipe");
+                options->wipe = share;
             },
-            "single (default), or compare: the four strategies, labelled")
-        ->check(CLI::IsMember({"single", "compare"}));
+            "Layout wipe with its divider there, from 0 at the left to 1 at the right [0.5]")
+        ->check(CLI::Range(0.0, 1.0));
     parser->add_option_function<std::string>(
         "--panes", [options](const std::string &text) { set_panes(*options, text); },
         "These strategies side by side, of a, b, c, d with commas between; two of them with a sentence on their price. aq "
@@ -403,7 +456,13 @@ Command add_render(CLI::App &root) {
     add_solving_options(*parser, *solving);
     add_common_options(*parser, *common, "The picture, a PNG");
     parser->get_option("--output")->required();
-    parser->final_callback([options] { check_error_range(options->look.look); });
+    parser->final_callback([options] {
+        if (options->subtracts)
+            options->look.look = look_at({}, options->look.look); // whose errors are signed
+        check_error_range(options->look.look);
+        if ((options->wipe || options->subtracts) && options->panes.size() != 2)
+            throw CLI::ValidationError("--layout", "this one compares two strategies; give two to --panes, as a,d");
+    });
     return {parser, [=] { return run(*parser, *solving, *options, *common); }};
 }
 

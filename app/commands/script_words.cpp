@@ -102,6 +102,13 @@ Act pivot(const Words &words) {
     return at_once([p = point(words, 1)](AppState &state) { state.pivot = glm::dvec3(p.x(), p.y(), p.z()); });
 }
 
+Act wipe(const Words &words) {
+    const double share = real(words[1]);
+    if (!(share >= 0 && share <= 1))
+        throw BadInput(in_quotes(words[1]) + " is no place of a divider; there are 0 to 1");
+    return at_once([share](AppState &state) { state.wipe = share; });
+}
+
 Act play(const Words &words) {
     const int until = words.size() > 1 ? place_from(words, 1).position : far_ahead;
     return at_once([until](AppState &state) {
@@ -183,7 +190,7 @@ constexpr Form forms[] = {{"move", 4, 5, move},       {"object", 1, 1, object}, 
                           {"xray", 1, 2, xray},       {"filters", 2, 2, filters},   {"pivot", 3, 3, pivot},
                           {"unpin", 0, 0, unpin},     {"play", 0, 2, play},         {"speed", 1, 1, speed},
                           {"cost", 1, 1, cost},       {"pictures", 2, 4, pictures}, {"bookmark", 1, 1, bookmark},
-                          {"forget", 1, 1, forget},   {"caption", 1, any, caption}};
+                          {"forget", 1, 1, forget},   {"caption", 1, any, caption}, {"wipe", 1, 1, wipe}};
 
 Phase phase_from(std::string_view word) {
     for (const Phase phase : {Phase::refined, Phase::gathered, Phase::pushed_pulled})

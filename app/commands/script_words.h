@@ -26,6 +26,7 @@ Place place_from(const Words &words, std::size_t from);
 ///   xray SURFACE|none [worst]       links from there to the picked element, through its centre or where they miss most
 ///   filters OUTWARD PIECE           of the picked split: how many splits around it, and which child
 ///   pivot X Y Z                     views turn about it
+///   wipe SHARE                      where the divider of a wipe stands, 0 (left) to 1
 ///   unpin                           lets go of the curve
 ///   play [ITERATION [PHASE]]        plays until there; nothing: to the end
 ///   speed STEPS                     of playing, a second

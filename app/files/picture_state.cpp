@@ -19,8 +19,7 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
     saved.options = spec.panes.front().snapshot->options;
     saved.strategies.clear();
     saved.converged = true;
-    for (const PicturePane &pane : spec.panes) {
-        const Snapshot &snapshot = *pane.snapshot;
+    const auto add = [&](const Snapshot &snapshot) {
         saved.strategies.push_back(snapshot.options.strategy);
         saved.reconstructed.push_back(snapshot.reconstructed);
         saved.position = std::max(saved.position, position_of(snapshot.counters.iteration, snapshot.phase));
@@ -29,10 +28,26 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
             saved.split = std::max(saved.split.value_or(0), static_cast<int>(snapshot.n_shown_events));
         if (snapshot.n_shown_linkings > 0)
             saved.linking = std::max(saved.linking.value_or(0), static_cast<int>(snapshot.n_shown_linkings));
+    };
+    for (const PicturePane &pane : spec.panes) {
+        if (pane.minus) {
+            add(*pane.minus);
+            saved.layout = Layout::difference;
+            saved.active = 1;
+        }
+        add(*pane.snapshot);
+        if (pane.camera)
+            saved.cameras.push_back(*pane.camera);
+    }
+    if (spec.wipe) {
+        saved.layout = Layout::wipe;
+        saved.wipe = *spec.wipe;
     }
     saved.caption = spec.caption;
     saved.camera = spec.camera;
     saved.look = spec.look;
+    if (spec.look.difference)
+        saved.look.shading = Shading::polynomial; // of the other layouts
     saved.range_chosen = spec.look.range.has_value();
     saved.error_range_locked = spec.look.error_range.has_value();
     saved.legend = spec.legend;

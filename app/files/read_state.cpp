@@ -108,6 +108,20 @@ void read_strategies(const JsonValue &list, SavedState &state) {
         state.strategies.push_back(named(list.at(i), strategy_from_name, strategy_choices));
 }
 
+/// How many stand side by side is told by the strategies; the other layouts compare two.
+void read_layout(const JsonValue &root, SavedState &state) {
+    const std::size_t n = state.strategies.size();
+    if (const auto layout = root.known("layout")) {
+        const Layout given = named(*layout, layout_from_name, "single, two, four, wipe, flip or difference");
+        if (share_a_place(given) && n != 2)
+            layout->fail(fmt::format("is {} with {} {}; give two", in_quotes(name(given)), n, n == 1 ? "strategy" : "strategies"));
+        if (share_a_place(given))
+            state.layout = given;
+    }
+    if (const auto wipe = root.known("wipe"))
+        state.wipe = number_in(*wipe, 0, 1);
+}
+
 void read_reconstructed(const JsonValue &list, SavedState &state) {
     if (const std::size_t n = list.size(); n > state.strategies.size())
         list.fail(fmt::format("has {} flags; give one for each of the {} strategies", n, state.strategies.size()));
@@ -160,6 +174,17 @@ Camera read_camera(const JsonValue &json) {
     if (!(glm::length(glm::cross(forward / length, camera.up)) > 1e-9))
         json.fail("looks along its up; give another up, or move the eye");
     return camera;
+}
+
+/// Of panes side by side that are not linked.
+void read_cameras(const JsonValue &list, SavedState &state) {
+    const std::size_t n = list.size(), n_panes = state.strategies.size();
+    if (n > 0 && state.layout)
+        list.fail(fmt::format("has {} views, and layout {} has one place; leave them out", n, in_quotes(name(*state.layout))));
+    if (n > 0 && n != n_panes)
+        list.fail(fmt::format("has {} views; give one for each of the {} strategies, or none", n, n_panes));
+    for (std::size_t i = 0; i < n; ++i)
+        state.cameras.push_back(read_camera(list.at(i)));
 }
 
 void read_curves(const JsonValue &json, Look &look) {
@@ -287,6 +312,7 @@ void read_view(const JsonValue &root, SavedState &state) {
         state.options = read_options(*options);
     if (const auto strategies = root.known("strategies"))
         read_strategies(*strategies, state);
+    read_layout(root, state);
     if (const auto reconstructed = root.known("reconstructed"))
         read_reconstructed(*reconstructed, state);
     read_whole(root, "active", 0, static_cast<int>(state.strategies.size()) - 1, state.active);
@@ -299,6 +325,8 @@ void read_view(const JsonValue &root, SavedState &state) {
     read_flag(root, "converged", state.converged);
     if (const auto camera = root.known("camera"))
         state.camera = read_camera(*camera);
+    if (const auto cameras = root.known("cameras"))
+        read_cameras(*cameras, state);
     read_look(root, state);
     if (const auto keyhole = root.known("keyhole"))
         state.keyhole = triple<Vec3>(*keyhole);

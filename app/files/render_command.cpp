@@ -78,9 +78,15 @@ void add_scene(Line &line, const SavedState &state) {
 void add_panes(Line &line, const SavedState &state) {
     std::vector<std::string> panes;
     for (std::size_t i = 0; i < state.strategies.size(); ++i) {
+        if (state.layout == Layout::flip && static_cast<int>(i) != state.active)
+            continue;
         const bool as_quadratics = i < state.reconstructed.size() && state.reconstructed[i];
         panes.push_back(std::string(1, "abcd"[static_cast<int>(state.strategies[i])]) + (as_quadratics ? "q" : ""));
     }
+    if (state.layout == Layout::wipe)
+        line.option("--wipe", fmt::format("{}", state.wipe));
+    if (state.layout == Layout::difference)
+        line.option("--layout", std::string(name(Layout::difference)));
     const bool lettered = !state.picture || state.picture->lettered || panes.size() > 1 || panes[0].size() > 1;
     if (lettered)
         line.option("--panes", joined(panes));
@@ -139,7 +145,7 @@ void add_curves(Line &line, const Look &look) {
     line.number_unless("--curve", look.spotlight.curve, -1);
 }
 
-void add_look(Line &line, const Look &look) {
+void add_look(Line &line, const Look &look, bool difference) {
     const Look usual;
     std::vector<std::string> layers;
     for (const auto &[on, layer] : {std::pair(look.layers.mesh, "mesh"), std::pair(look.layers.curves, "curves"),
@@ -149,8 +155,11 @@ void add_look(Line &line, const Look &look) {
     if (look.layers != usual.layers)
         line.option("--layers", joined(layers));
     add_curves(line, look);
-    line.name_unless("--shading", look.shading, usual.shading);
-    if (look.shading == Shading::error) {
+    if (difference && look.error_range)
+        line.option("--error-range", range_text(*look.error_range));
+    if (!difference)
+        line.name_unless("--shading", look.shading, usual.shading);
+    if (!difference && look.shading == Shading::error) {
         line.name_unless("--error", look.error, usual.error);
         if (look.change)
             line.option("--change", text_of(*look.change));
@@ -176,6 +185,8 @@ void add_picture(Line &line, const SavedState &state) {
     if (state.camera)
         line.option("--camera", fmt::format("{} {}", triples(state.camera->eye, state.camera->target, state.camera->up),
                                             state.camera->fov_y));
+    for (const Camera &c : state.cameras)
+        line.option("--pane-camera", fmt::format("{} {}", triples(c.eye, c.target, c.up), c.fov_y));
     if (state.keyhole)
         line.option("--keyhole", triples(*state.keyhole));
     if (!state.caption.empty())
@@ -204,7 +215,7 @@ std::string render_command(const SavedState &state) {
     add_panes(line, state);
     add_options(line, state.options);
     add_position(line, state);
-    add_look(line, state.look);
+    add_look(line, state.look, state.layout == Layout::difference);
     add_picture(line, state);
     std::string stem = state.scene.empty() ? "picture" : state.scene;
     std::ranges::replace(stem, '/', '-');

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/options.h"
+#include "layout.h"
 #include "render/camera.h"
 #include "render/look.h"
 #include "scene/move_object.h"
@@ -35,6 +36,8 @@ struct SavedState {
     std::vector<ObjectMove> moves = {}; ///< of objects, from where the file has them
     Options options = {};        ///< the strategy is the active pane's; threads are not kept
     std::vector<Strategy> strategies = {Strategy::discontinuity_wavelet}; ///< of the panes, row by row
+    std::optional<Layout> layout = {}; ///< of two strategies in one place; none: all side by side
+    double wipe = 0.5;                 ///< divider of layout wipe, from the left, 0 to 1
     std::vector<bool> reconstructed = {}; ///< by pane: constants are drawn as quadratics; empty: none is
     int active = 0;                                                       ///< pane
     int position = 0;                                                     ///< see timeline.h
@@ -42,6 +45,7 @@ struct SavedState {
     std::optional<int> linking = {}; ///< pairs that it linked, of which so many are shown after all splits; none: all
     bool converged = false;                                               ///< every pane stands at its fixed point
     std::optional<Camera> camera = {};                                    ///< none: the scene's first view
+    std::vector<Camera> cameras = {}; ///< by pane, where they are not linked; empty: all have the one
     Look look = {};
     bool range_chosen = false; ///< look.range was asked for; else it is what the values shown came to
     bool error_range_locked = false; ///< look.error_range stays whatever is shown; else it follows the values

@@ -7,6 +7,7 @@
 #include "palette.h"
 #include "picture_verbs.h"
 #include "split_verbs.h"
+#include "truth_verbs.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -68,11 +69,22 @@ Json pane(const AppState &s, int pane) {
         j["estimated_error"] = known(snapshot->counters.estimated_error);
         j["error_bound"] = known(snapshot->counters.error_bound);
         j["version"] = snapshot->version;
-        const auto map = s.truth.maps.find(snapshot->version);
-        const bool known = map != s.truth.maps.end() && map->second->change == s.look.change;
-        j["error"] = known ? Json(map->second->error()) : Json();
+        const auto map = errors_of(s, pane);
+        j["error"] = map ? Json(map->error()) : Json();
     }
     return j;
+}
+
+Json under_cursor(const AppState &s) {
+    if (!s.under_cursor)
+        return nullptr;
+    const Pick &pick = *s.under_cursor;
+    const auto difference = difference_under_cursor(s);
+    return {{"surface", pick.surface},
+            {"patch", pick.patch},
+            {"point", {pick.point.x(), pick.point.y(), pick.point.z()}},
+            {"radiosity", {pick.radiosity[0], pick.radiosity[1], pick.radiosity[2]}},
+            {"difference", difference ? Json::array({(*difference)[0], (*difference)[1], (*difference)[2]}) : Json()}};
 }
 
 Json keyhole(const KeyholeMode &mode) {
@@ -188,6 +200,9 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
     saved.options = s.options;
     saved.options.strategy = s.active_strategy();
     saved.strategies = s.shown();
+    if (share_a_place(s.layout))
+        saved.layout = s.layout;
+    saved.wipe = s.wipe;
     for (int pane = 0; pane < n_panes(s.layout); ++pane)
         saved.reconstructed.push_back(s.reconstructs(pane));
     saved.active = s.panes().active;
@@ -197,7 +212,10 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
     saved.converged = all_converged(s);
     if (s.camera_is_set)
         saved.camera = s.camera;
+    for (int pane = 0; pane < n_panes(s.layout) && s.has_own_cameras(); ++pane)
+        saved.cameras.push_back(s.camera_of(pane));
     saved.look = s.look;
+    saved.look.error = s.shown_look().error; // that the range is of
     saved.look.spotlight.curve = s.pinned_curve.value_or(-1);
     saved.range_chosen = s.chosen_range.has_value();
     saved.legend = !s.legend_hidden;
@@ -252,8 +270,7 @@ std::string observed_state_text(const AppState &s) {
     j["seeking"] = s.seeking;
     j["before"] = s.shows_before();
     j["pivot"] = s.pivot ? triple(*s.pivot) : Json();
-    j["under_cursor"] = s.under_cursor ? Json{{"surface", s.under_cursor->surface}, {"patch", s.under_cursor->patch}}
-                                       : Json();
+    j["under_cursor"] = under_cursor(s);
     j["hovered_curve"] = s.hovered_curve ? Json(*s.hovered_curve) : Json();
     j["pinned_curve"] = s.pinned_curve ? Json(*s.pinned_curve) : Json();
     j["looking"] = keyhole(s.keyhole);

@@ -68,11 +68,15 @@ Json view_json(const SavedState &s) {
     j["split"] = s.split ? Json(*s.split) : Json();
     j["linking"] = s.linking ? Json(*s.linking) : Json();
     j["converged"] = s.converged;
-    j["layout"] = s.strategies.size() == 1 ? "single" : s.strategies.size() == 2 ? "two" : "four";
+    j["layout"] = name(s.layout.value_or(layout_of(s.strategies.size())));
+    j["wipe"] = s.wipe;
     j["strategies"] = strategies;
     j["reconstructed"] = reconstructed;
     j["active"] = s.active;
     j["camera"] = s.camera ? camera(*s.camera) : Json();
+    j["cameras"] = Json::array();
+    for (const Camera &c : s.cameras)
+        j["cameras"].push_back(camera(c));
     j["layers"] = {{"mesh", look.layers.mesh},
                    {"curves", look.layers.curves},
                    {"links", look.layers.links},

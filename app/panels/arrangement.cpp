@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace penumbra {
 
@@ -15,6 +17,14 @@ std::vector<WindowRect> split(const WindowRect &area, int columns, int rows, flo
             panes.push_back({area.x + static_cast<float>(column) * (w + gap),
                              area.y + static_cast<float>(row) * (h + gap), std::max(1.f, w), std::max(1.f, h)});
     return panes;
+}
+
+std::pair<WindowRect, WindowRect> cut_at(const WindowRect &area, double share) {
+    WindowRect left = area, right = area;
+    left.width = std::round(static_cast<float>(share) * area.width);
+    right.x += left.width;
+    right.width -= left.width;
+    return {left, right};
 }
 } // namespace
 
@@ -51,8 +61,16 @@ Arrangement arrange(const AppState &state, float width, float height, float top,
         a.legend = {rest.x, rest.y + rest.height - strip, rest.width, strip};
         scene.height = std::max(1.f, rest.height - strip);
     }
-    const int columns = state.layout == Layout::single ? 1 : 2, rows = state.layout == Layout::four ? 2 : 1;
-    a.pane = split(scene, columns, rows, 2);
+    const int columns = n_places(state.layout) == 1 ? 1 : 2, rows = n_places(state.layout) == 4 ? 2 : 1;
+    a.place = split(scene, columns, rows, 2);
+    a.pane = share_a_place(state.layout) ? std::vector(static_cast<std::size_t>(n_panes(state.layout)), scene) : a.place;
+    a.part = a.pane;
+    if (state.layout == Layout::wipe)
+        std::tie(a.part[0], a.part[1]) = cut_at(scene, state.wipe);
+    else if (state.layout == Layout::difference)
+        a.part[0].width = 0;
+    else if (state.layout == Layout::flip)
+        a.part[static_cast<std::size_t>(1 - state.panes().active)].width = 0;
     return a;
 }
 

@@ -13,7 +13,9 @@ struct Arrangement {
     WindowRect panes;               ///< all of them, with the legend strip below
     WindowRect profile;             ///< plot below the panes; empty unless it is open
     WindowRect legend;              ///< strip that explains line kinds; empty when hidden
-    std::vector<WindowRect> pane;   ///< from the upper left, row by row
+    std::vector<WindowRect> pane;   ///< from the upper left, row by row; those that share a place have the same
+    std::vector<WindowRect> part;   ///< of each pane, that is seen; of no width: nothing
+    std::vector<WindowRect> place;  ///< the panes' without repetition
 };
 
 /// `width`, `height`: of the window [screen coordinates]; `top`: height of the menu bar; `em`: of the text;

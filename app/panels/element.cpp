@@ -47,7 +47,7 @@ void draw_what_it_holds(AppState &state, const ElementReport &r) {
     const float side = em(6), gap = em(0.8f), width = ImGui::GetContentRegionAvail().x - side - gap;
     if (patch >= 0) {
         ImGui::BeginGroup();
-        draw_polynomial_map(*snapshot, patch, state.camera, state.look, side);
+        draw_polynomial_map(*snapshot, patch, state.active_camera(), state.look, side);
         ImGui::EndGroup();
         tooltip("The element's radiosity [W/m\u00b2]", "Mean of the channels, from its least to its largest value here.");
         ImGui::SameLine(0, gap);

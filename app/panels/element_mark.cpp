@@ -15,11 +15,11 @@ namespace {
 
 class Pen {
 public:
-    Pen(const AppState &state, ImDrawList &list, const WindowRect &pane) : state_(state), list_(list), pane_(pane) {}
+    Pen(const Camera &camera, ImDrawList &list, const WindowRect &pane) : camera_(camera), list_(list), pane_(pane) {}
 
     std::optional<ImVec2> at(const Vec3 &p) const {
         const auto place =
-            place_in_frame(state_.camera, static_cast<double>(pane_.width / pane_.height), {p.x(), p.y(), p.z()});
+            place_in_frame(camera_, static_cast<double>(pane_.width / pane_.height), {p.x(), p.y(), p.z()});
         if (!place)
             return std::nullopt;
         return ImVec2(pane_.x + pane_.width * static_cast<float>(0.5 + 0.5 * place->x),
@@ -56,19 +56,20 @@ public:
     }
 
 private:
-    const AppState &state_;
+    const Camera &camera_;
     ImDrawList &list_;
     const WindowRect &pane_;
 };
 
 } // namespace
 
-void draw_picked_element(const AppState &state, ImDrawList &list, const WindowRect &pane, const Fonts &fonts) {
+void draw_picked_element(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera,
+                         const Fonts &fonts) {
     const auto snapshot = state.snapshot(state.active_strategy());
     const ElementReport *report = shown_report(state);
     if (state.inspector != Inspector::element || !report || !snapshot)
         return;
-    const Pen pen(state, list, pane);
+    const Pen pen(camera, list, pane);
     list.PushClipRect({pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height}, true);
     pen.outline(report->outline, 2, 1);
     if (const LinkReport *links = picked_links(state)) {
@@ -76,7 +77,7 @@ void draw_picked_element(const AppState &state, ImDrawList &list, const WindowRe
             pen.outline(links->outline, 1, 0.7f);
         pen.link(*links);
         if (report->xray)
-            draw_profile_mark(list, fonts, {pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height}, state.camera,
+            draw_profile_mark(list, fonts, {pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height}, camera,
                               {report->surface, report->xray->from, report->xray->to}, state.element.cursor, "PQ");
     }
     list.PopClipRect();

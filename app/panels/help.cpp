@@ -32,6 +32,7 @@ void draw_mouse() {
     row("click", "On a curve: keeps its critical surface in sight. Elsewhere, or Esc: lets it go. "
                  "With the filter microscope or the inspector open, on a patch: shows its filters, or all about it.");
     row("keyhole drag", "On a surface, the keyhole open: moves the point that looks. Elsewhere: turns, as ever.");
+    row("divider drag", "In a wipe: shows more of one strategy and less of the other.");
     row("double click", "Makes the point under the mouse the pivot.");
     ImGui::EndTable();
 }

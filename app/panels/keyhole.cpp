@@ -38,14 +38,16 @@ void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangem
     if (!state.keyhole.open || !state.keyhole.seen || state.keyhole.scene != state.scene || !snapshot)
         return;
     const Keyhole &keyhole = *state.keyhole.seen;
-    for (const WindowRect &pane : arrangement.pane)
-        draw_keyhole_point(list, fonts, {pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height}, state.camera,
-                           keyhole);
+    for (std::size_t i = 0; i < arrangement.place.size(); ++i) {
+        const WindowRect &pane = arrangement.place[i];
+        draw_keyhole_point(list, fonts, {pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height},
+                           state.camera_of(static_cast<int>(i)), keyhole);
+    }
     // Beside the active pane rather than over it.
-    const bool alone = arrangement.pane.size() == 1;
+    const bool alone = arrangement.place.size() == 1;
     const auto active = static_cast<std::size_t>(state.panes().active), host = alone ? active : active ^ 1;
     const ImVec2 size = keyhole_inset_size(fonts, keyhole);
-    const ImVec2 corner = inset_corner(state, arrangement.pane[host], host == (alone ? 0 : 1), size);
+    const ImVec2 corner = inset_corner(state, arrangement.pane[host], alone || host == 1, size);
     draw_keyhole_inset(list, fonts, corner, keyhole, *snapshot, state.look.theme);
     const WindowRect &pane = arrangement.pane[active];
     draw_news(state, list, fonts, *snapshot, pane, alone ? corner.x : pane.x + pane.width);

@@ -1,4 +1,4 @@
-// The mouse in a pane: orbit, pan, zoom, pivot. All panes share one camera.
+// The mouse in a pane: orbit, pan, zoom, pivot.
 #pragma once
 
 #include "app_state.h"
@@ -12,12 +12,12 @@ struct FramePoint {
 FramePoint frame_point(const WindowRect &pane, double mouse_x, double mouse_y);
 
 /// What the mouse is over in the pane: the surface point, or else the point of the view ray as far away as the target.
-glm::dvec3 point_under(const AppState &state, const Snapshot *snapshot, double aspect, const FramePoint &at);
+glm::dvec3 point_under(const Camera &camera, const Snapshot *snapshot, double aspect, const FramePoint &at);
 
-/// A drag of dx, dy pixels (y down) in a pane of `height` pixels.
+/// A drag of dx, dy pixels (y down) in the active pane, of `height` pixels.
 void orbit_by(AppState &state, double dx, double dy, double height);
 void pan_by(AppState &state, double dx, double dy, double height);
 /// One notch of the wheel upward is 1.
-void zoom_by(AppState &state, double notches, const glm::dvec3 &point);
+void zoom_by(AppState &state, int pane, double notches, const glm::dvec3 &point);
 
 } // namespace penumbra

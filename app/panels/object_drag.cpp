@@ -66,7 +66,7 @@ bool drag_object(AppState &state, const Snapshot *snapshot, double aspect, const
         return false;
     }
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        const Touched touched = touch(*state.scene, state.camera, aspect, at);
+        const Touched touched = touch(*state.scene, state.active_camera(), aspect, at);
         const int before = mode.chosen;
         choose_object(state, touched.surface);
         if (mode.chosen >= 0 && mode.chosen == before)
@@ -74,7 +74,7 @@ bool drag_object(AppState &state, const Snapshot *snapshot, double aspect, const
     }
     const bool held = mode.grabbed.has_value(); // also in the frame in which it is let go
     if (held && ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
-        if (const auto now = held_at(*state.scene, state.camera, aspect, at, *mode.grabbed); now && *now != *mode.grabbed) {
+        if (const auto now = held_at(*state.scene, state.active_camera(), aspect, at, *mode.grabbed); now && *now != *mode.grabbed) {
             ObjectMove move = move_in_hand(state);
             move.offset += *now - *mode.grabbed;
             mode.grabbed = *now;
@@ -85,7 +85,7 @@ bool drag_object(AppState &state, const Snapshot *snapshot, double aspect, const
     return held;
 }
 
-void draw_object_outline(const AppState &state, ImDrawList &list, const WindowRect &pane) {
+void draw_object_outline(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera) {
     if (state.inspector != Inspector::objects || state.objects.chosen < 0 || !state.scene)
         return;
     const Scene &scene = *state.scene;
@@ -93,7 +93,7 @@ void draw_object_outline(const AppState &state, ImDrawList &list, const WindowRe
     for (const int s : object_surfaces(scene, SurfaceId(state.objects.chosen))) {
         ImVector<ImVec2> corners;
         for (const Vec3 &x : scene.surface(SurfaceId(s)).corners)
-            if (const auto p = place_in_frame(state.camera, aspect, to_glm(scene.own.to_own(x))))
+            if (const auto p = place_in_frame(camera, aspect, to_glm(scene.own.to_own(x))))
                 corners.push_back({pane.x + 0.5f * pane.width * (1 + static_cast<float>(p->x)),
                                    pane.y + 0.5f * pane.height * (1 - static_cast<float>(p->y))});
         list.PushClipRect({pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height}, true);

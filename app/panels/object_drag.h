@@ -11,6 +11,6 @@ namespace penumbra {
 bool drag_object(AppState &state, const Snapshot *snapshot, double aspect, const FramePoint &at);
 
 /// The outline of the object in hand.
-void draw_object_outline(const AppState &state, ImDrawList &list, const WindowRect &pane);
+void draw_object_outline(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera);
 
 } // namespace penumbra

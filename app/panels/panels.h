@@ -27,10 +27,13 @@ void draw_transport(AppState &state, const WindowRect &rect);    ///< step, play
 void draw_status_bar(AppState &state, const WindowRect &rect);
 /// Labels and legends over the panes, and the mouse in them.
 void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fonts);
-/// Over the panes; part of draw_panes.
+/// Over the panes; part of draw_panes. The divider of a wipe is dragged before the panes have the mouse.
+void drag_divider(AppState &state, const Arrangement &arrangement);
+void draw_divider(const AppState &state, ImDrawList &list, const Arrangement &arrangement);
 void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 /// The element that was picked, the links from the surface that was, and the line of their X-ray.
-void draw_picked_element(const AppState &state, ImDrawList &list, const WindowRect &pane, const Fonts &fonts);
+void draw_picked_element(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera,
+                         const Fonts &fonts);
 void draw_profile_line(const AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts);
 void draw_hint(AppState &state, const WindowRect &panes);        ///< until the first step
 void draw_caption(const AppState &state, const WindowRect &panes); ///< of a lecture

@@ -7,6 +7,7 @@
 #include "panels/panels.h"
 #include "panels/split_sketch.h"
 #include "profile_verbs.h"
+#include "render/divider.h"
 #include "render/event_note.h"
 #include "render/pick_curve.h"
 #include "render/surface_role.h"
@@ -61,12 +62,13 @@ void tell_curve(const Snapshot &snapshot, int curve) {
 }
 
 /// The curve near the mouse is told of and lit up; a click pins it, a click elsewhere lets go.
-void point_at_curves(AppState &state, const Snapshot &snapshot, const WindowRect &rect, const FramePoint &at) {
+void point_at_curves(AppState &state, const Snapshot &snapshot, const WindowRect &rect, const Camera &camera,
+                     const FramePoint &at) {
     const bool dragging = ImGui::IsItemActive() && !clicked() && ImGui::GetIO().MouseDragMaxDistanceSqr[0] > 0;
     if (!state.look.layers.curves || dragging)
         return;
     const auto aspect = static_cast<double>(rect.width / rect.height);
-    const auto found = pick_curve(snapshot, state.camera, aspect, at.x, at.y, static_cast<double>(rect.height),
+    const auto found = pick_curve(snapshot, camera, aspect, at.x, at.y, static_cast<double>(rect.height),
                                   static_cast<double>(em(curve_reach)), state.look.curve_filter);
     if (found)
         state.hovered_curve = found->curve;
@@ -86,7 +88,7 @@ void drag_keyhole(AppState &state, const Snapshot *snapshot, double aspect, cons
     const bool begins = ImGui::IsItemActivated() && state.keyhole.open && !ImGui::GetIO().KeyShift;
     if (!snapshot || !(begins || state.keyhole.dragging))
         return;
-    const auto found = pick(*snapshot, state.camera, aspect, at.x, at.y);
+    const auto found = pick(*snapshot, state.active_camera(), aspect, at.x, at.y);
     const auto reflects = [&](int surface) {
         return role(snapshot->surfaces[static_cast<std::size_t>(surface)]) == SurfaceRole::reflector;
     };
@@ -96,9 +98,9 @@ void drag_keyhole(AppState &state, const Snapshot *snapshot, double aspect, cons
     move_keyhole(state, found->surface, found->point);
 }
 
-/// Where the point stands in the pane.
+/// Where the point stands in the active pane.
 std::optional<ImVec2> on_screen(const AppState &state, const WindowRect &rect, const Vec3 &p) {
-    const auto at = place_in_frame(state.camera, static_cast<double>(rect.width / rect.height), {p.x(), p.y(), p.z()});
+    const auto at = place_in_frame(state.active_camera(), static_cast<double>(rect.width / rect.height), {p.x(), p.y(), p.z()});
     if (!at)
         return std::nullopt;
     return ImVec2(rect.x + rect.width * static_cast<float>(0.5 + 0.5 * at->x),
@@ -116,7 +118,7 @@ void drag_profile(AppState &state, const Snapshot *snapshot, const WindowRect &r
     }
     if (!snapshot || !mode.open)
         return;
-    const auto found = pick(*snapshot, state.camera, static_cast<double>(rect.width / rect.height), at.x, at.y);
+    const auto found = pick(*snapshot, state.active_camera(), static_cast<double>(rect.width / rect.height), at.x, at.y);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (ImGui::IsItemActivated())
         mode.pressed.reset();
@@ -171,9 +173,10 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     const bool hovered = ImGui::IsItemHovered();
     const double aspect = static_cast<double>(rect.width / rect.height);
     const auto snapshot = state.shown_snapshot(pane);
+    const Camera camera = state.camera_of(pane);
     const FramePoint at = frame_point(rect, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y));
     if (ImGui::IsItemActivated())
-        begin_drag(state, point_under(state, snapshot.get(), aspect, at), pane);
+        begin_drag(state, point_under(camera, snapshot.get(), aspect, at), pane);
     const bool held = drag_object(state, snapshot.get(), aspect, at) || state.keyhole.dragging ||
                       state.profile.dragging != ProfileGrip::none; // also in the frame in which it is let go
     drag_keyhole(state, snapshot.get(), aspect, at);
@@ -193,25 +196,51 @@ void handle_mouse(AppState &state, const WindowRect &rect, int pane) {
     if (!hovered)
         return;
     if (io.MouseWheel != 0)
-        zoom_by(state, static_cast<double>(io.MouseWheel), point_under(state, snapshot.get(), aspect, at));
+        zoom_by(state, pane, static_cast<double>(io.MouseWheel), point_under(camera, snapshot.get(), aspect, at));
     if (snapshot)
-        state.under_cursor = pick(*snapshot, state.camera, aspect, at.x, at.y);
+        state.under_cursor = pick(*snapshot, state.camera_of(pane), aspect, at.x, at.y);
     point_at_profile(state);
     if (state.inspector == Inspector::filters && state.under_cursor && clicked() && !held)
         pick_split(state, {state.under_cursor->surface, state.under_cursor->point});
     if (state.inspector == Inspector::element && state.under_cursor && state.under_cursor->patch >= 0 && clicked() && !held)
         pick_element(state, {state.under_cursor->surface, state.under_cursor->point});
     if (snapshot && snapshot->curves && !held && !state.keyhole.dragging && state.profile.dragging == ProfileGrip::none)
-        point_at_curves(state, *snapshot, rect, at);
+        point_at_curves(state, *snapshot, rect, state.camera_of(pane), at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        state.pivot = point_under(state, snapshot.get(), aspect, at);
+        state.pivot = point_under(state.camera_of(pane), snapshot.get(), aspect, at);
         state.message = {"Views now turn about the point that was clicked; R goes back.", false};
     }
 }
 
 /// Of error pictures; others tell the snapshot's own error.
 std::shared_ptr<const ErrorMap> shown_errors(const AppState &state, int pane) {
-    return state.look.shading == Shading::error ? errors_of(state, pane) : nullptr;
+    return state.shown_look().shading == Shading::error ? errors_of(state, pane) : nullptr;
+}
+
+PaneLabel label_of(const AppState &state, const Snapshot &snapshot, int pane, const std::string &tag) {
+    const auto errors = shown_errors(state, pane);
+    const auto minus = subtracted(state);
+    return minus ? difference_label(*minus, snapshot, errors.get()) : pane_label(snapshot, tag, errors.get());
+}
+
+/// Where a pane's label stands: over its part of a wipe, as far as both labels are readable.
+WindowRect label_place(const AppState &state, const WindowRect &pane, int number) {
+    if (state.layout != Layout::wipe)
+        return pane;
+    WindowRect place = pane;
+    const float left = std::round(static_cast<float>(label_share(state.wipe)) * pane.width);
+    place.x += number == 0 ? 0 : left;
+    place.width = number == 0 ? left : pane.width - left;
+    return place;
+}
+
+/// Where more than one solution is to be seen.
+void draw_active_frame(const AppState &state, ImDrawList &list, const WindowRect &part, int pane) {
+    const bool several = n_places(state.layout) > 1 || state.layout == Layout::wipe;
+    if (!several || pane != state.panes().active || state.panels_hidden)
+        return;
+    list.AddRect({part.x + 1, part.y + 1}, {part.x + part.width - 1, part.y + part.height - 1},
+                 ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
 }
 
 /// Returns its height.
@@ -225,17 +254,15 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
         list.AddText({low.x + em(0.6f), low.y + height + em(0.3f)}, ImGui::GetColorU32(ImGuiCol_CheckMark), text.c_str());
     };
     if (snapshot)
-        height = draw_pane_label(list, fonts, low, high, pane_label(*snapshot, tag, shown_errors(state, pane).get()),
+        height = draw_pane_label(list, fonts, low, high, label_of(state, *snapshot, pane, tag),
                                  state.look.theme);
     else if (state.scene)
         list.AddText({low.x + em(0.8f), low.y + em(0.6f)}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                      (tag + " finding the discontinuity curves…").c_str());
     if (state.awaits_reconstruction(pane))
         note("making quadratics\u2026");
-    else if (state.look.shading == Shading::error && snapshot && !errors_of(state, pane))
+    else if (state.shown_look().shading == Shading::error && snapshot && !errors_of(state, pane))
         note(state.truth.halted ? "the error was not measured" : state.truth.doing + "\u2026");
-    if (state.layout != Layout::single && pane == state.panes().active && !state.panels_hidden)
-        list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 0, 2);
     return height;
 }
 
@@ -263,11 +290,11 @@ void draw_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, c
         return;
     const Range range = state.look.range.value_or(common_range(snapshots));
     const WindowRect &strip = arrangement.legend;
-    draw_line_legend(list, fonts, {strip.x + em(0.8f), strip.y + 0.4f * em()}, strip.width - em(1.6f), state.look,
-                     snapshots);
-    const WindowRect &pane = arrangement.pane[state.layout == Layout::single ? 0 : 1];
+    const Look look = state.shown_look();
+    draw_line_legend(list, fonts, {strip.x + em(0.8f), strip.y + 0.4f * em()}, strip.width - em(1.6f), look, snapshots);
+    const WindowRect &pane = arrangement.place[arrangement.place.size() == 1 ? 0 : 1];
     draw_colour_legend(list, fonts, {pane.x + pane.width - em(0.9f), pane.y + em(0.9f) + below},
-                       std::min(em(14), 0.5f * (pane.height - below)), state.look, range);
+                       std::min(em(14), 0.5f * (pane.height - below)), look, range);
 }
 
 } // namespace
@@ -284,32 +311,42 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
     if (!state.profile.cursor_in_plot)
         state.profile.cursor.reset();
     ImDrawList &list = *ImGui::GetWindowDrawList();
+    drag_divider(state, arrangement);
     float below = 0; // one pane is wide enough for label and scale side by side
     for (int pane = 0; pane < static_cast<int>(arrangement.pane.size()); ++pane) {
         const WindowRect &rect = arrangement.pane[static_cast<std::size_t>(pane)];
+        const WindowRect &part = arrangement.part[static_cast<std::size_t>(pane)];
+        if (part.width <= 0)
+            continue;
         const std::string name = "pane " + std::to_string(pane);
-        ImGui::SetCursorScreenPos({rect.x, rect.y});
-        ImGui::InvisibleButton(name.c_str(), {rect.width, rect.height},
+        ImGui::SetCursorScreenPos({part.x, part.y});
+        ImGui::InvisibleButton(name.c_str(), {part.width, part.height},
                                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                    ImGuiButtonFlags_MouseButtonMiddle);
         mark(state, name);
         handle_mouse(state, rect, pane);
-        const float height = draw_label(state, list, fonts, rect, pane);
-        if (pane == 1)
+        list.PushClipRect({part.x, part.y}, {part.x + part.width, part.y + part.height}, true);
+        const float height = draw_label(state, list, fonts, label_place(state, rect, pane), pane);
+        draw_active_frame(state, list, part, pane);
+        list.PopClipRect();
+        if (pane == 1 && (n_places(state.layout) > 1 || state.layout == Layout::wipe))
             below = height;
     }
     draw_legends(state, list, fonts, arrangement, below);
     const std::vector<Strategy> shown = state.shown();
     for (std::size_t pane = 0; pane < arrangement.pane.size(); ++pane)
-        if (shown[pane] == state.active_strategy()) {
-            draw_split_outline(state, list, arrangement.pane[pane]);
-            draw_picked_element(state, list, arrangement.pane[pane], fonts);
+        if (const WindowRect &part = arrangement.part[pane]; shown[pane] == state.active_strategy() && part.width > 0) {
+            list.PushClipRect({part.x, part.y}, {part.x + part.width, part.y + part.height}, true);
+            draw_split_outline(state, list, arrangement.pane[pane], state.camera_of(static_cast<int>(pane)));
+            draw_picked_element(state, list, arrangement.pane[pane], state.camera_of(static_cast<int>(pane)), fonts);
+            list.PopClipRect();
         }
-    for (const WindowRect &pane : arrangement.pane)
-        draw_object_outline(state, list, pane);
+    for (std::size_t i = 0; i < arrangement.place.size(); ++i)
+        draw_object_outline(state, list, arrangement.place[i], state.camera_of(static_cast<int>(i)));
     draw_profile_line(state, list, arrangement, fonts);
     draw_keyhole(state, list, arrangement, fonts);
     draw_pinned(state, list, fonts, arrangement.pane[static_cast<std::size_t>(state.panes().active)]);
+    draw_divider(state, list, arrangement);
     ImGui::End();
     ImGui::PopStyleVar();
 }

@@ -45,9 +45,11 @@ void draw_profile_line(const AppState &state, ImDrawList &list, const Arrangemen
     const ProfileMode &mode = state.profile;
     if (!mode.open || !mode.line)
         return;
-    for (const WindowRect &pane : arrangement.pane)
-        draw_profile_mark(list, fonts, {pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height}, state.camera,
-                          *mode.line, mode.cursor);
+    for (std::size_t i = 0; i < arrangement.place.size(); ++i) {
+        const WindowRect &pane = arrangement.place[i];
+        draw_profile_mark(list, fonts, {pane.x, pane.y}, {pane.x + pane.width, pane.y + pane.height},
+                          state.camera_of(static_cast<int>(i)), *mode.line, mode.cursor);
+    }
 }
 
 } // namespace penumbra

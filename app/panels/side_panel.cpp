@@ -38,6 +38,11 @@ void draw_errors(AppState &state) {
 }
 
 void draw_shading(AppState &state) {
+    if (state.layout == Layout::difference) {
+        heading("Difference");
+        action_check(state, "layers.lock_range");
+        return;
+    }
     heading("Shading");
     const float width = ImGui::GetContentRegionAvail().x - 2;
     action_button(state, "layers.polynomial", "Polynomial", {0.37f * width - 1, 0});
@@ -125,6 +130,8 @@ void draw_cursor(const AppState &state) {
     if (pick.patch >= 0)
         figure("patch", count_words(pick.patch), "Its number among all patches of this step.");
     figure("radiosity", rgb_words(pick.radiosity) + " W/m²", "Red, green, blue; one number where they are equal.");
+    if (const auto difference = difference_under_cursor(state))
+        figure("difference", number_words(difference->mean()) + " W/m²", "The second strategy minus the first, here: mean of red, green, blue.");
     if (const auto errors = errors_of(state, state.panes().active);
         errors && pick.patch >= 0 && state.look.shading == Shading::error) {
         const auto patch = static_cast<std::size_t>(pick.patch);

@@ -66,7 +66,7 @@ int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, 
     tooltip("The element and its pieces", "Click a piece to look at its filters.");
     Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
     if (const auto snapshot = state.snapshot(state.active_strategy()))
-        turn = turn_to_view(state.camera, snapshot->surfaces[static_cast<std::size_t>(filters.surface)]);
+        turn = turn_to_view(state.active_camera(), snapshot->surfaces[static_cast<std::size_t>(filters.surface)]);
     Vec2 low = turn * filters.corners.front(), high = low;
     for (const Vec2 &p : filters.corners) {
         low = low.cwiseMin(turn * p);
@@ -107,7 +107,7 @@ int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, 
     return found;
 }
 
-void draw_split_outline(const AppState &state, ImDrawList &list, const WindowRect &pane) {
+void draw_split_outline(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera) {
     const Microscope &m = state.microscope;
     const auto snapshot = state.snapshot(state.active_strategy());
     if (state.inspector != Inspector::filters || !m.shown || !snapshot || m.version != snapshot->version)
@@ -118,7 +118,7 @@ void draw_split_outline(const AppState &state, ImDrawList &list, const WindowRec
         for (const Vec2 &corner : corners) {
             const Vec3 p = to_space(surface, corner);
             const auto at =
-                place_in_frame(state.camera, static_cast<double>(pane.width / pane.height), {p.x(), p.y(), p.z()});
+                place_in_frame(camera, static_cast<double>(pane.width / pane.height), {p.x(), p.y(), p.z()});
             if (!at)
                 return std::vector<ImVec2>(); // behind the eye
             points.push_back({pane.x + pane.width * static_cast<float>(0.5 + 0.5 * at->x),

@@ -13,6 +13,6 @@ Eigen::Matrix2d turn_to_view(const Camera &camera, const SnapshotSurface &surfac
 /// At the cursor, fitted into the square. Returns the piece that was clicked, or -1.
 int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, float side);
 /// Over a pane: the outlines, the chosen piece standing out.
-void draw_split_outline(const AppState &state, ImDrawList &list, const WindowRect &pane);
+void draw_split_outline(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera);
 
 } // namespace penumbra

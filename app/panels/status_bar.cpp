@@ -2,6 +2,7 @@
 #include "panels/panels.h"
 #include "panels/words.h"
 #include "picture_verbs.h"
+#include "truth_verbs.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -12,7 +13,9 @@ namespace {
 
 std::string facts(const AppState &state) {
     std::string text;
-    if (state.under_cursor)
+    if (const auto difference = difference_under_cursor(state))
+        text = "difference " + number_words(difference->mean()) + " W/m²   ";
+    else if (state.under_cursor)
         text = rgb_words(state.under_cursor->radiosity) + " W/m²   ";
     char exposure[32];
     std::snprintf(exposure, sizeof exposure, "%+.1f EV   ", state.look.exposure_ev);

@@ -9,7 +9,7 @@ namespace penumbra {
 namespace {
 
 void gap() {
-    ImGui::SameLine(0, em(1.6f));
+    ImGui::SameLine(0, em());
 }
 
 void label(const char *text) {
@@ -72,12 +72,18 @@ void draw_tool_bar(AppState &state, const WindowRect &rect) {
     action_button(state, "view.two", "2", {em(1.8f), 0});
     ImGui::SameLine(0, 1);
     action_button(state, "view.four", "2×2", {em(2.6f), 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "view.wipe", "\u25e7", {em(1.8f), 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "view.flip", "\u21c4", {em(1.8f), 0});
+    ImGui::SameLine(0, 1);
+    action_button(state, "view.difference", "\u0394", {em(1.8f), 0});
     gap();
     action_button(state, "view.keyhole");
     ImGui::SameLine();
     action_button(state, "view.effects");
     ImGui::SameLine();
-    action_button(state, "view.hard_cases");
+    action_button(state, "view.hard_cases", "Cases");
     ImGui::SameLine();
     action_button(state, "view.cost", "Cost");
     const float help = em(1.9f), right = ImGui::GetWindowContentRegionMax().x;

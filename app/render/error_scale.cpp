@@ -98,6 +98,10 @@ glm::dvec3 error_colour(ErrorKind kind, const Range &range, double value) {
 }
 
 std::string error_heading(const Look &look) {
+    if (look.difference) {
+        const auto one = [](Strategy s) { return std::string("B (") + "abcd"[static_cast<std::size_t>(s)] + ")"; };
+        return one(look.difference->second) + " \u2212 " + one(look.difference->first) + ", mean of R, G, B [W/m\u00b2]";
+    }
     if (look.change) {
         const std::string other = words(*look.change);
         switch (look.error) {

@@ -82,16 +82,38 @@ Fonts load_fonts(float size) {
     return fonts;
 }
 
+namespace {
+
+std::string solution_title(const Snapshot &snapshot) {
+    std::string text(title(snapshot.options.strategy));
+    if (!is_constant(snapshot.options.strategy))
+        text += ", M = " + std::to_string(snapshot.options.order);
+    if (snapshot.reconstructed)
+        text += ", as quadratics (1993)";
+    if (snapshot.options.basis == BasisFamily::planar)
+        text += ", on polygons";
+    return text;
+}
+
+} // namespace
+
+PaneLabel difference_label(const Snapshot &first, const Snapshot &second, const ErrorMap *map) {
+    const auto tag = [](const Snapshot &s) {
+        return std::string("(") + "abcd"[static_cast<std::size_t>(s.options.strategy)] + ")";
+    };
+    PaneLabel label = pane_label(second);
+    label.title = "Difference: " + tag(second) + " minus " + tag(first);
+    label.figures = {tag(second) + " " + solution_title(second), tag(first) + " " + solution_title(first)};
+    if (map)
+        label.figures.push_back("they differ by " + three_digits(100 * map->error()) + " %");
+    label.time.clear();
+    return label;
+}
+
 PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag, const ErrorMap *errors) {
     const Counters &c = snapshot.counters;
     PaneLabel label;
-    label.title = (tag.empty() ? "" : tag + " ") + std::string(title(snapshot.options.strategy));
-    if (!is_constant(snapshot.options.strategy))
-        label.title += ", M = " + std::to_string(snapshot.options.order);
-    if (snapshot.reconstructed)
-        label.title += ", as quadratics (1993)";
-    if (snapshot.options.basis == BasisFamily::planar)
-        label.title += ", on polygons";
+    label.title = (tag.empty() ? "" : tag + " ") + solution_title(snapshot);
     label.figures = {counted(c.patches, "patch", "patches"), counted(c.coefficients, "coefficient", "coefficients")};
     const double error = errors ? errors->error() : snapshot.error;
     if (errors && errors->change)

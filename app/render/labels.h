@@ -31,6 +31,9 @@ struct PaneLabel {
 /// `tag` as "(a)" goes before the title. With a map the error is the map's, and the truth's own is told beside it.
 PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag = "", const ErrorMap *errors = nullptr);
 
+/// Of the picture of a difference; with its map the label tells how large it is.
+PaneLabel difference_label(const Snapshot &first, const Snapshot &second, const ErrorMap *map);
+
 /// In the upper left corner of the rectangle; the footnote in the lower left one. Returns the height of the upper part
 /// [pixels].
 float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label,

@@ -44,6 +44,14 @@ glm::vec4 background_colour(Theme theme) {
     return theme == Theme::dark ? glm::vec4(0.105, 0.115, 0.13, 1) : glm::vec4(1, 1, 1, 1);
 }
 
+Look look_at(const Difference &difference, Look look) {
+    look.shading = Shading::error;
+    look.error = ErrorKind::signed_error;
+    look.change.reset();
+    look.difference = difference;
+    return look;
+}
+
 Range common_range(std::span<const Snapshot *const> snapshots) {
     double peak = 0, exitance = 0;
     bool reflector = false;

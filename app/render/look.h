@@ -52,6 +52,12 @@ struct Spotlight {
     bool operator==(const Spotlight &) const = default;
 };
 
+/// Of two strategies' solutions at one step, the second minus the first.
+struct Difference {
+    Strategy first{}, second{};
+    bool operator==(const Difference &) const = default;
+};
+
 struct Look {
     Shading shading = Shading::polynomial;
     Layers layers;
@@ -61,6 +67,7 @@ struct Look {
     bool emphasise_fresh = true; ///< patches made in this iteration are outlined brighter
     ErrorKind error = ErrorKind::signed_error; ///< that Shading::error shows
     std::optional<EffectChange> change; ///< errors are from a solution with this effect switched otherwise; none: from the truth
+    std::optional<Difference> difference; ///< signed errors are this, with the first in place of the truth; none: they are not
     std::optional<Range> error_range; ///< of that kind; none: whoever draws takes error_range() of all panes
     CurveFilter curve_filter;
     Spotlight spotlight;
@@ -68,6 +75,9 @@ struct Look {
     bool transparent = false; ///< pictures alone: nothing is drawn where there is no surface
     bool operator==(const Look &) const = default;
 };
+
+/// The same, but that difference in place of light or errors.
+Look look_at(const Difference &difference, Look look);
 
 /// 0 to the largest reflected radiosity of all snapshots, rounded up to two significant digits, so that panes that are
 /// compared can share it; before anything is lit, to the largest exitance; where every surface that reflects also emits,

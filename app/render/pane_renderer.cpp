@@ -163,8 +163,9 @@ void close() {
 } // namespace
 
 void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect &rect, int framebuffer_height,
-                        PixelScale pixel_scale, const std::optional<PixelRect> &part) {
-    const PixelRect seen = part ? overlap(rect, *part) : rect;
+                        PixelScale pixel_scale, const std::optional<PixelRect> &part,
+                        const std::optional<PixelRect> &only) {
+    const PixelRect drawn = only ? overlap(rect, *only) : rect, seen = part ? overlap(drawn, *part) : drawn;
     if (seen.width < 1 || seen.height < 1)
         return;
     const PixelRect corner = part.value_or(PixelRect{0, 0, 0, framebuffer_height});

@@ -38,9 +38,11 @@ public:
     /// where the top is. Leaves blending, depth test and scissor off, and no program or vertex array bound. Lines are
     /// `pixel_scale.factor` pixels wide. With a transparent background colours are multiplied by their alpha.
     /// `part`: the framebuffer holds this part alone of one that would be so high, which may be larger than any that
-    /// the driver makes; what lies in the part is drawn as the whole would have it. None: all of it.
+    /// the driver makes; what lies in the part is drawn as the whole would have it. None: all of it. What lies outside of
+    /// `only` stays as it is; none: nothing stays.
     void draw(const Camera &camera, const Look &look, const PixelRect &rect, int framebuffer_height,
-              PixelScale pixel_scale = {}, const std::optional<PixelRect> &part = std::nullopt);
+              PixelScale pixel_scale = {}, const std::optional<PixelRect> &part = std::nullopt,
+              const std::optional<PixelRect> &only = std::nullopt);
 
     /// Radiosity of what is seen [W/m2], as red, green and blue, with alpha 1 where there is a surface and 0 where
     /// there is none; for a framebuffer of floats without multisampling.

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "gl/bound_framebuffer.h"
 #include "gl/context_lost.h"
+#include "render/divider.h"
 #include "render/event_note.h"
 #include "render/keyhole_inset.h"
 #include "render/overlay.h"
@@ -21,6 +22,7 @@ namespace {
 struct Layout {
     std::vector<PixelRect> cells; ///< of the panes with their labels
     std::vector<PixelRect> views; ///< of the drawing below the label
+    std::vector<PixelRect> parts; ///< of the views, that are drawn
     PixelRect inset, note, legend;
 };
 
@@ -30,12 +32,19 @@ float text_height(const PictureSpec &spec) {
     return static_cast<float>(std::max(11.0, std::round(std::min(spec.width / (spec.columns > 1 ? 30.0 * spec.columns : 54), spec.height / 42.0))));
 }
 
-int n_rows(const PictureSpec &spec) { return (static_cast<int>(spec.panes.size()) + spec.columns - 1) / spec.columns; }
+int n_rows(const PictureSpec &spec) { return spec.wipe ? 1 : (static_cast<int>(spec.panes.size()) + spec.columns - 1) / spec.columns; }
 
 /// Heights of the parts that hold text, which depend on how the text breaks into lines, and the width of the keyhole's.
 struct TextSizes {
     int legend = 0, label = 0, note = 0, inset = 0;
 };
+
+/// The part of a wipe on its left, or on its right, of the divider.
+PixelRect side(const PixelRect &whole, double share, std::size_t pane) {
+    const int left = static_cast<int>(std::lround(share * whole.width));
+    return pane == 0 ? PixelRect{whole.x, whole.y, left, whole.height}
+                     : PixelRect{whole.x + left, whole.y, whole.width - left, whole.height};
+}
 
 Layout layout(const PictureSpec &spec, const TextSizes &sizes) {
     Layout result;
@@ -43,11 +52,15 @@ Layout layout(const PictureSpec &spec, const TextSizes &sizes) {
     const int below = sizes.legend + sizes.note, label_height = sizes.label;
     const int height = spec.height - below - (rows - 1) * gap, width = spec.width - sizes.inset - (spec.columns - 1) * gap;
     for (int i = 0; i < static_cast<int>(spec.panes.size()); ++i) {
-        const int row = i / spec.columns, column = i % spec.columns;
+        const int row = spec.wipe ? 0 : i / spec.columns, column = i % spec.columns;
         const PixelRect cell{column * (width / spec.columns + gap), row * (height / rows + gap), width / spec.columns,
                              height / rows};
         result.cells.push_back(cell);
-        result.views.push_back({cell.x, cell.y + label_height, cell.width, std::max(1, cell.height - label_height)});
+        const PixelRect view{cell.x, cell.y + label_height, cell.width, std::max(1, cell.height - label_height)};
+        result.views.push_back(view);
+        result.parts.push_back(spec.wipe ? side(view, *spec.wipe, result.parts.size()) : view);
+        if (spec.wipe)
+            result.cells.back() = side(cell, label_share(*spec.wipe), static_cast<std::size_t>(i));
     }
     result.inset = {spec.width - sizes.inset, label_height, sizes.inset, spec.height - below - label_height};
     result.note = {0, spec.height - below, spec.width, sizes.note};
@@ -58,6 +71,11 @@ Layout layout(const PictureSpec &spec, const TextSizes &sizes) {
 /// Of error pictures; others tell the snapshot's own error.
 const ErrorMap *shown_errors(const PictureSpec &spec, const PicturePane &pane) {
     return spec.look.shading == Shading::error ? pane.errors.get() : nullptr;
+}
+
+PaneLabel label_of(const PictureSpec &spec, const PicturePane &pane) {
+    const ErrorMap *errors = shown_errors(spec, pane);
+    return pane.minus ? difference_label(*pane.minus, *pane.snapshot, errors) : pane_label(*pane.snapshot, pane.tag, errors);
 }
 
 bool have_same_footnote(const PictureSpec &spec) {
@@ -100,9 +118,12 @@ TextSizes measure(const PictureSpec &spec, const Fonts &fonts, const std::vector
     sizes.inset = inset_width(spec, fonts);
     const float em = fonts.size;
     if (spec.labels)
-        for (const PicturePane &pane : spec.panes) {
-            PaneLabel label = pane_label(*pane.snapshot, pane.tag, shown_errors(spec, pane));
-            sizes.label = std::max(sizes.label, static_cast<int>(std::ceil(pane_label_height(fonts, static_cast<float>((spec.width - sizes.inset) / spec.columns) - em, label))));
+        for (std::size_t i = 0; i < spec.panes.size(); ++i) {
+            const PicturePane &pane = spec.panes[i];
+            const PixelRect row{0, 0, (spec.width - sizes.inset) / spec.columns, 0};
+            const float width = static_cast<float>((spec.wipe ? side(row, label_share(*spec.wipe), i) : row).width) - em;
+            const PaneLabel label = label_of(spec, pane);
+            sizes.label = std::max(sizes.label, static_cast<int>(std::ceil(pane_label_height(fonts, width, label))));
         }
     sizes.note = static_cast<int>(std::ceil(draw_note(nullptr, fonts, spec, 0)));
     if (spec.legend) {
@@ -125,7 +146,7 @@ void draw_plate(ImDrawList &list, const PictureSpec &spec, const ImVec2 &low, co
 void draw_labels(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l, bool same_footnote) {
     const float em = fonts.size;
     for (std::size_t i = 0; i < spec.panes.size(); ++i) {
-        PaneLabel label = pane_label(*spec.panes[i].snapshot, spec.panes[i].tag, shown_errors(spec, spec.panes[i]));
+        PaneLabel label = label_of(spec, spec.panes[i]);
         const ImVec2 low = corner(l.cells[i]), high = far_corner(l.cells[i]);
         if (!same_footnote) { // else it is said once, with the legend
             const float width = 0.9f * fonts.text->CalcTextSizeA(em, 1e9f, 0, label.footnote.c_str()).x;
@@ -157,11 +178,15 @@ void draw_words(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, c
     const bool same_footnote = spec.legend && have_same_footnote(spec);
     if (spec.labels)
         draw_labels(list, fonts, spec, l, same_footnote);
-    for (const PixelRect &view : l.views) {
+    if (spec.wipe)
+        draw_divider(list, static_cast<float>(l.parts[1].x), corner(l.views[0]).y, far_corner(l.views[0]).y, fonts.size);
+    for (std::size_t i = 0; i < (spec.wipe ? 1 : l.views.size()); ++i) {
+        const PixelRect &view = l.views[i];
+        const Camera camera = spec.panes[i].camera.value_or(spec.camera);
         if (spec.profile)
-            draw_profile_mark(list, fonts, corner(view), far_corner(view), spec.camera, *spec.profile);
+            draw_profile_mark(list, fonts, corner(view), far_corner(view), camera, *spec.profile);
         if (spec.keyhole)
-            draw_keyhole_point(list, fonts, corner(view), far_corner(view), spec.camera, *spec.keyhole);
+            draw_keyhole_point(list, fonts, corner(view), far_corner(view), camera, *spec.keyhole);
     }
     if (spec.keyhole)
         draw_keyhole_inset(list, fonts, corner(l.inset), *spec.keyhole, *snapshots.front(), spec.look.theme);
@@ -223,7 +248,8 @@ Image draw_picture(const PictureSpec &spec, int tile_side) {
         {spec.width, spec.height, spec.supersample, tile_side, large.look.transparent, background},
         [&](const PixelRect &tile) {
             for (std::size_t i = 0; i < renderers.size(); ++i)
-                renderers[i]->draw(large.camera, large.look, l.views[i], large.height, scale, tile);
+                renderers[i]->draw(large.panes[i].camera.value_or(large.camera), large.look, l.views[i], large.height, scale,
+                                   tile, l.parts[i]);
         },
         [&](const PixelRect &tile) { overlay.draw(tile); });
     if (gl::context_is_lost())

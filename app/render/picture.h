@@ -21,13 +21,17 @@ struct PicturePane {
     std::shared_ptr<const Snapshot> snapshot;
     std::string tag; ///< "(a)", or nothing
     std::shared_ptr<const ErrorMap> errors = nullptr; ///< of the snapshot, for error pictures; null: not known
+    std::shared_ptr<const Snapshot> minus = nullptr;  ///< the errors are the difference from it; null: they are not
+    std::optional<Camera> camera{};                   ///< none: the spec's
 };
 
 struct PictureSpec {
     int width = 1600, height = 1200; ///< pixels
     std::vector<PicturePane> panes;
     int columns = 1;
-    Camera camera;      ///< the same in all panes
+    /// Two panes in one place, the first left of this share of its width, the second right of it; none: side by side.
+    std::optional<double> wipe;
+    Camera camera;      ///< of all panes without one of their own
     Look look;          ///< without a range: common_range() of all panes; without one of errors: error_range() of all
     std::shared_ptr<const Keyhole> keyhole; ///< drawn at the right, its point in all panes; null: none
     std::optional<ProfileLine> profile;     ///< drawn in all panes; none: no line

@@ -43,18 +43,29 @@ PixelRect pixels(const WindowRect &r, double ratio) {
 struct PaneCanvas::Parts {
     std::array<PaneRenderer, 4> renderers;
     std::array<std::optional<Shown>, 4> shown;
-    std::optional<gl::Framebuffer> sampled, kept;
+    std::optional<gl::Framebuffer> sampled;
+    std::array<std::optional<gl::Framebuffer>, 2> kept; ///< the second for the second of two panes that share a place
     Theme theme = Theme::dark;
     std::vector<PixelRect> rects; ///< of the panes; between them are lines that no pane draws
     PixelRect strip{};
 
     void resize(int width, int height) {
-        if (kept && kept->width() == width && kept->height() == height)
+        if (kept[0] && kept[0]->width() == width && kept[0]->height() == height)
             return;
-        shown = {};
         sampled.emplace(width, height, gl::Framebuffer::Colour::srgb8, samples);
-        kept.emplace(width, height, gl::Framebuffer::Colour::srgb8, 1);
+        kept[0].emplace(width, height, gl::Framebuffer::Colour::srgb8, 1);
+        kept[1].reset();
         clear();
+    }
+    /// Where a pane's picture is kept: whole, so that nothing is drawn anew when more or less of it is seen.
+    gl::Framebuffer &canvas_of(std::size_t i, bool shares_a_place) {
+        if (!shares_a_place || i == 0)
+            return *kept[0];
+        if (!kept[1]) {
+            kept[1].emplace(kept[0]->width(), kept[0]->height(), gl::Framebuffer::Colour::srgb8, 1);
+            clear_colour(*kept[1]);
+        }
+        return *kept[1];
     }
     /// Panes that have become smaller leave nothing of what they showed where the legend stands now.
     void clear_strip(const PixelRect &now, int height) {
@@ -63,20 +74,22 @@ struct PaneCanvas::Parts {
         strip = now;
         glEnable(GL_SCISSOR_TEST);
         glScissor(now.x, height - now.y - now.height, now.width, now.height);
-        clear_colour();
+        clear_colour(*kept[0]);
         glDisable(GL_SCISSOR_TEST);
     }
     /// Whether the pane has a picture of errors that would still be right but for the step.
     bool shows_errors(std::size_t i, const PixelRect &rect, const AppState &state) const {
-        return shown[i] && shown[i]->errors && same(shown[i]->rect, rect) && shown[i]->camera == state.camera &&
+        return shown[i] && shown[i]->errors && same(shown[i]->rect, rect) && shown[i]->camera == state.camera_of(static_cast<int>(i)) &&
                !state.truth.halted;
     }
     void clear() {
-        clear_colour();
+        for (const auto &canvas : kept)
+            if (canvas)
+                clear_colour(*canvas);
         shown = {};
     }
-    void clear_colour() {
-        kept->bind();
+    void clear_colour(const gl::Framebuffer &canvas) const {
+        canvas.bind();
         const float level = theme == Theme::dark ? 0.16f : 0.8f; // of the lines between panes
         glClearColor(level, level, level, 1);
         glClear(GL_COLOR_BUFFER_BIT);
@@ -99,6 +112,7 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
         p.clear();
     }
     p.clear_strip(pixels(arrangement.legend, pixel_ratio), height);
+    const bool shares_a_place = arrangement.place.size() < arrangement.pane.size();
     int drawn = 0;
     // A panel may have changed the layout in this frame; it is arranged in the next.
     for (std::size_t i = 0; i < std::min<std::size_t>(n_panes(state.layout), arrangement.pane.size()); ++i) {
@@ -106,6 +120,9 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
         const auto snapshot = state.shown_snapshot(pane);
         if (!snapshot)
             continue; // what was there stays until the new solution is ready
+        if (arrangement.part[i].width <= 0 && (moving || look.difference))
+            continue; // else it is drawn, at rest, to be there at once when it is asked for
+        const Camera &camera = state.camera_of(pane);
         if (state.awaits_reconstruction(pane) && p.shown[i] && p.shown[i]->reconstructed)
             continue;
         const bool wrong = look.shading == Shading::error && look.error_range;
@@ -113,20 +130,27 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
         if (wrong && !errors && p.shows_errors(i, rects[i], state))
             continue; // until those of this step are measured
         const Shown now{
-            snapshot->version, snapshot->reconstructed, errors, state.camera, look, rects[i], moving};
+            snapshot->version, snapshot->reconstructed, errors, camera, look, rects[i], moving};
         if (p.shown[i] && same(*p.shown[i], now) && (moving || !p.shown[i]->draft))
             continue;
-        (moving ? *p.kept : *p.sampled).bind();
+        const gl::Framebuffer &canvas = p.canvas_of(i, shares_a_place);
+        (moving ? canvas : *p.sampled).bind();
         p.renderers[i].upload(snapshot, errors);
-        p.renderers[i].draw(state.camera, look, now.rect, height, {pixel_ratio * state.ui_scale});
+        p.renderers[i].draw(camera, look, now.rect, height, {pixel_ratio * state.ui_scale});
         if (!moving)
-            p.kept->resolve(*p.sampled, now.rect.x, height - now.rect.y - now.rect.height, now.rect.width, now.rect.height);
+            canvas.resolve(*p.sampled, now.rect.x, height - now.rect.y - now.rect.height, now.rect.width, now.rect.height);
         p.shown[i] = now;
         ++drawn;
     }
-    p.kept->bind();
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const auto show = [&](const gl::Framebuffer &canvas, const PixelRect &part) {
+        const int bottom = height - part.y - part.height, right = part.x + part.width, top = height - part.y;
+        canvas.bind();
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glBlitFramebuffer(part.x, bottom, right, top, part.x, bottom, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    };
+    show(*p.kept[0], {0, 0, width, height});
+    if (shares_a_place && p.kept[1] && arrangement.part[1].width > 0)
+        show(*p.kept[1], pixels(arrangement.part[1], pixel_ratio));
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return drawn;
 }

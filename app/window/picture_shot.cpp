@@ -32,15 +32,28 @@ void fit_height(PictureSpec &spec, double aspect) {
     }
 }
 
+/// All that panes of this aspect show from side to side is in the picture's, too.
+void hold_widths(PictureSpec &spec, double aspect) {
+    spec.camera = hold_width(spec.camera, aspect, pane_aspect(spec));
+    for (PicturePane &pane : spec.panes)
+        if (pane.camera)
+            pane.camera = hold_width(*pane.camera, aspect, pane_aspect(spec));
+}
+
 /// All but the panes.
-PictureSpec common_spec(const AppState &state, int width, int height) {
+PictureSpec common_spec(const AppState &state, Layout layout, int width, int height) {
     PictureSpec spec;
+    spec.columns = n_places(layout) == 1 ? 1 : 2;
+    if (layout == Layout::wipe)
+        spec.wipe = state.wipe;
     const PictureSettings &settings = state.pictures.settings;
     set_size(spec, settings, width, height);
     spec.supersample = settings.supersample;
     spec.labels = settings.labels;
     spec.camera = state.camera;
-    spec.look = state.look;
+    spec.look = layout == state.layout ? state.shown_look() : state.look;
+    if (layout != state.layout && state.layout == Layout::difference)
+        spec.look.error_range.reset(); // the difference's
     spec.look.emphasise_fresh = false;
     spec.look.transparent = settings.transparent;
     if (state.keyhole.open)
@@ -59,6 +72,10 @@ PictureShot finished(PictureSpec spec, const AppState &state, const std::filesys
     SavedState saved = saved_state(state, folder);
     saved.picture = saved_picture(spec);
     saved.camera = spec.camera;
+    saved.cameras.clear();
+    for (const PicturePane &pane : spec.panes)
+        if (pane.camera)
+            saved.cameras.push_back(*pane.camera);
     saved.look.emphasise_fresh = spec.look.emphasise_fresh;
     saved.look.transparent = spec.look.transparent;
     return {std::move(spec), std::move(saved)};
@@ -67,32 +84,47 @@ PictureShot finished(PictureSpec spec, const AppState &state, const std::filesys
 } // namespace
 
 PictureShot shot_of_panes(const AppState &state, const std::filesystem::path &folder, int width, int height) {
-    PictureSpec spec = common_spec(state, width, height);
-    spec.columns = state.layout == Layout::single ? 1 : 2;
+    PictureSpec spec = common_spec(state, state.layout, width, height);
     const std::vector<Strategy> shown = state.shown();
-    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+    const auto minus = subtracted(state);
+    for (const int pane : pictured_panes(state)) {
+        if (minus && pane == 0)
+            continue;
         spec.panes.push_back({state.shown_snapshot(pane), tag_of(shown[static_cast<std::size_t>(pane)]),
-                              errors_of(state, pane)});
+                              errors_of(state, pane), minus});
+        if (state.has_own_cameras())
+            spec.panes.back().camera = state.camera_of(pane);
+    }
     if (state.pictures.settings.size != PictureSize::panes)
-        spec.camera = hold_width(spec.camera, state.pane_aspect, pane_aspect(spec));
+        hold_widths(spec, state.pane_aspect);
     return finished(std::move(spec), state, folder);
 }
 
 PictureShot shot_of(const AppState &state, const PendingPicture &picture, const std::filesystem::path &folder, int width,
                     int height) {
-    PictureSpec spec = common_spec(state, width, height);
-    spec.columns = picture.strategies.size() == 1 ? 1 : 2;
-    for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane) {
+    PictureSpec spec = common_spec(state, picture.layout, width, height);
+    std::vector<Strategy> shown;
+    for (const int pane : pictured_panes(state))
+        shown.push_back(state.panes().strategies[static_cast<std::size_t>(pane)]);
+    const bool as_shown = picture.strategies == shown && n_places(picture.layout) == n_places(state.layout);
+    const bool subtracts = picture.layout == Layout::difference;
+    const auto minus = subtracts ? pictured(state, picture, 0) : nullptr;
+    for (std::size_t pane = subtracts ? 1 : 0; pane < picture.strategies.size(); ++pane) {
         const auto snapshot = pictured(state, picture, pane);
-        spec.panes.push_back({snapshot, tag_of(picture.strategies[pane]), pictured_errors(state, *snapshot)});
+        spec.panes.push_back({snapshot, tag_of(picture.strategies[pane]), pictured_errors(state, {snapshot, minus}), minus});
+        if (state.has_own_cameras() && picture.layout == state.layout)
+            spec.panes.back().camera = state.camera_of(static_cast<int>(pane));
     }
-    if (picture.strategies != state.shown() && state.pictures.settings.size == PictureSize::panes)
+    if (!as_shown && state.pictures.settings.size == PictureSize::panes)
         fit_height(spec, state.pane_aspect);
-    if (picture.strategies != state.shown() || state.pictures.settings.size != PictureSize::panes)
-        spec.camera = hold_width(spec.camera, state.pane_aspect, pane_aspect(spec));
+    if (!as_shown || state.pictures.settings.size != PictureSize::panes)
+        hold_widths(spec, state.pane_aspect);
 
     PictureShot shot = finished(std::move(spec), state, folder);
     shot.saved.strategies = picture.strategies;
+    shot.saved.layout.reset();
+    if (share_a_place(picture.layout))
+        shot.saved.layout = picture.layout;
     shot.saved.reconstructed = picture.reconstructed;
     const auto active = std::ranges::find(picture.strategies, state.active_strategy());
     shot.saved.active = active == picture.strategies.end() ? 0 : static_cast<int>(active - picture.strategies.begin());
@@ -112,7 +144,7 @@ std::string command_of(const PictureShot &shot, const Scene &scene) {
         snapshots.push_back(pane.snapshot.get());
     if (saved.look.range == common_range(snapshots))
         saved.look.range.reset();
-    if (saved.look.shading == Shading::error && saved.look.error_range == error_range(saved.look.error, judged(shot.spec)))
+    if (shot.spec.look.shading == Shading::error && saved.look.error_range == error_range(shot.spec.look.error, judged(shot.spec)))
         saved.look.error_range.reset();
     return render_command(saved);
 }

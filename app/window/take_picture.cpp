@@ -5,6 +5,7 @@
 #include "files/state_text.h"
 #include "files/write_state.h"
 #include "picture_verbs.h"
+#include "truth_verbs.h"
 #include "window/picture_shot.h"
 
 #include <imgui.h>
@@ -19,6 +20,8 @@ namespace penumbra {
 namespace {
 
 bool all_known(const AppState &state) {
+    if (state.layout == Layout::difference && !errors_of(state, 1))
+        return false;
     return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.snapshot(s) != nullptr; });
 }
 

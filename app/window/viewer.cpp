@@ -323,10 +323,13 @@ void Viewer::update_range() {
 
 /// Whether the camera, or the mouse from curve to curve, has moved a moment ago.
 bool Viewer::is_moving() {
-    if (!drawn_camera_ || *drawn_camera_ != state_.camera || drawn_spotlight_ != spotlight(state_)) {
-        if (drawn_camera_) // the first view comes at rest
+    std::array<Camera, 4> cameras;
+    for (int pane = 0; pane < 4; ++pane)
+        cameras[static_cast<std::size_t>(pane)] = state_.camera_of(pane);
+    if (drawn_cameras_ != cameras || drawn_spotlight_ != spotlight(state_)) {
+        if (drawn_cameras_) // the first view comes at rest
             moved_at_ = Clock::now();
-        drawn_camera_ = state_.camera;
+        drawn_cameras_ = cameras;
         drawn_spotlight_ = spotlight(state_);
     }
     return seconds_since(moved_at_) < rest_seconds;
@@ -334,7 +337,7 @@ bool Viewer::is_moving() {
 
 /// The look as it is drawn now: what is new stands out for a moment only.
 Look Viewer::look_now() const {
-    Look look = state_.look;
+    Look look = state_.shown_look();
     look.emphasise_fresh = look.emphasise_fresh && seconds_since(state_.fresh_since) < fresh_seconds;
     look.spotlight = spotlight(state_);
     return look;

@@ -13,6 +13,7 @@
 #include "window/keeper.h"
 #include "window/pane_canvas.h"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -92,7 +93,7 @@ private:
     Fonts fonts_;
     double fonts_scale_ = 0;
     std::optional<Theme> theme_;
-    std::optional<Camera> drawn_camera_; ///< of the frame before
+    std::optional<std::array<Camera, 4>> drawn_cameras_; ///< of the frame before, by pane
     Spotlight drawn_spotlight_;
     Clock::time_point moved_at_;         ///< when one of them was last seen to change
     int frames_owed_ = 2; ///< ImGui shows some changes a frame later

@@ -80,6 +80,7 @@ std::shared_ptr<const ErrorMap> ErrorMapper::map(const Snapshot &snapshot, const
     map->version = snapshot.version;
     map->truth_error = truth_.error;
     map->change = truth_.change;
+    map->against = truth_.version;
     map->patches.resize(n_patches);
     std::vector<Values> values(n_patches);
     std::vector<double> reflected(n_patches), peak(n_patches);
@@ -123,7 +124,7 @@ std::shared_ptr<const ErrorMap> ErrorMapper::map(const Snapshot &snapshot, const
                     reflected[i] += weight * bounced.square().sum();
                     own_reflected[i] += weight * (ours - surface.exitance).square().sum();
                     peak[i] = std::max(peak[i], bounced.maxCoeff());
-                    if (truth_.change)
+                    if (truth_.is_a_solution())
                         peak[i] = std::max(peak[i], (ours - surface.exitance).maxCoeff());
                 }
             }
@@ -142,7 +143,7 @@ std::shared_ptr<const ErrorMap> ErrorMapper::map(const Snapshot &snapshot, const
         map->peak = std::max(map->peak, peak[i]);
         known_.try_emplace(key_of(snapshot.patches[i], map->patches[i].n), values[i]);
     }
-    if (truth_.change)
+    if (truth_.is_a_solution())
         map->reflected = std::max(map->reflected, own);
     return map;
 }

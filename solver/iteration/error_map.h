@@ -30,6 +30,7 @@ struct ErrorMap {
     double peak = 0;                 ///< largest B - E at a point of a lattice, of any channel [W/m2]
     double truth_error = 0;          ///< Truth::error
     std::optional<EffectChange> change; ///< Truth::change: for "truth" and B read "the changed solution"; `reflected` is of the brighter of the two
+    std::uint64_t against = 0;          ///< Truth::version: the same for "the other solution"
 
     /// ||B_h - B|| / ||B - E||: the root of the sum of the patches' squares, as Snapshot::error.
     double error() const;

@@ -1,5 +1,6 @@
 #include "iteration/truth.h"
 
+#include "iteration/patch_finder.h"
 #include "iteration/solver.h"
 #include "iteration/state.h"
 #include "measure/leaf_at.h"
@@ -29,6 +30,16 @@ Truth with_change(std::shared_ptr<const Scene> scene, Options options, const Eff
                 return radiosity_at(state->forest, state->radiosity, SurfaceId(surface), point / scene->own.size);
             },
             0, change};
+}
+
+Truth truth_in(std::shared_ptr<const Snapshot> snapshot) {
+    const std::uint64_t version = snapshot->version;
+    const auto finder = std::make_shared<const PatchFinder>(std::move(snapshot));
+    return {[finder](int surface, const Vec2 &point) {
+                const SnapshotPatch *patch = finder->patch_at(surface, point);
+                return patch ? radiosity(finder->snapshot(), *patch, point) : Rgb(Rgb::Zero());
+            },
+            0, std::nullopt, version};
 }
 
 } // namespace penumbra

@@ -222,6 +222,61 @@ TEST(OraclesShare, IsOfTheSizeOfTheTrueError) {
     }
 }
 
+/// A solution with its own way of finding the element that holds a point.
+struct Plain {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const State> state;
+    std::shared_ptr<const Snapshot> snapshot;
+
+    explicit Plain(Strategy strategy) : scene(std::make_shared<const Scene>(open_scene("slanted-edge"))) {
+        Options o = options_of(strategy, BasisFamily::parametric);
+        o.threshold = 0.05;
+        Solver solver(scene, o);
+        solver.run();
+        state = solver.state();
+        snapshot = solver.snapshot(false);
+    }
+    Rgb at(int surface, const Vec2 &own) const {
+        return radiosity_at(state->forest, state->radiosity, SurfaceId(surface), own / scene->own.size);
+    }
+};
+
+TEST(Differences, AreTheSecondSolutionMinusTheFirstAtEveryPoint) {
+    const Plain first(Strategy::uniform_constant), second(Strategy::discontinuity_wavelet);
+    const auto map = ErrorMapper(truth_in(first.snapshot)).map(*second.snapshot);
+    EXPECT_EQ(map->version, second.snapshot->version);
+    EXPECT_EQ(map->against, first.snapshot->version);
+    EXPECT_FALSE(map->change.has_value());
+    double worst = 0, largest = 0;
+    int compared = 0;
+    for (std::size_t i = 0; i < map->patches.size(); ++i) {
+        const PatchError &error = map->patches[i];
+        const std::size_t side = static_cast<std::size_t>(error.n) + 2;
+        for (std::size_t at = 0; at < error.missed.size(); ++at) {
+            const std::size_t row = at / side % side, column = at % side;
+            if (row == 0 || column == 0 || row == side - 1 || column == side - 1)
+                continue; // on a side either of two patches may be asked
+            const int surface = second.snapshot->patches[i].surface;
+            const Rgb expected = second.at(surface, error.points[at]) - first.at(surface, error.points[at]);
+            worst = std::max(worst, (error.missed[at] - expected).abs().maxCoeff());
+            largest = std::max(largest, expected.abs().maxCoeff());
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 5000);
+    EXPECT_GT(largest, 0.01 * second.snapshot->peak);
+    EXPECT_LT(worst, 1e-9 * second.snapshot->peak);
+}
+
+TEST(Differences, AreAsLargeTheOtherWayRoundAndNothingFromThemselves) {
+    const Plain first(Strategy::uniform_constant), second(Strategy::discontinuity_wavelet);
+    const double there = ErrorMapper(truth_in(first.snapshot)).map(*second.snapshot)->error(),
+                 back = ErrorMapper(truth_in(second.snapshot)).map(*first.snapshot)->error();
+    EXPECT_GT(there, 1e-4);
+    EXPECT_NEAR(there, back, 0.05 * back); // by the quadrature of two meshes
+    EXPECT_LT(ErrorMapper(truth_in(first.snapshot)).map(*first.snapshot)->error(), 1e-12);
+}
+
 } // namespace
 
 } // namespace penumbra

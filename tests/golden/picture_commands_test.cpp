@@ -244,6 +244,30 @@ TEST_F(PictureCommands, AProfileIsPlottedBesideThePicture) {
     EXPECT_FALSE(fs::exists(folder / "a.png"));
 }
 
+TEST_F(PictureCommands, AWipeIsOneStrategyOnEachSideOfItsDivider) {
+    const std::string common = "render slanted-edge --size 400x300 --threshold 0.05 --range 0:0.5 --no-labels --no-legend ";
+    ASSERT_EQ(run(common + "--panes a -o a.png"), 0) << text(folder / ".err");
+    ASSERT_EQ(run(common + "--panes d -o d.png"), 0) << text(folder / ".err");
+    ASSERT_EQ(run(common + "--no-price --wipe 0.3 --panes a,d -o wipe.png"), 0) << text(folder / ".err");
+    const Image a = read_png(folder / "a.png"), d = read_png(folder / "d.png"), wipe = read_png(folder / "wipe.png");
+    ASSERT_EQ(wipe.rgb.size(), a.rgb.size());
+    std::size_t as_a = 0, as_d = 0; // where the two differ
+    for (int y = 0; y < wipe.height; ++y)
+        for (int x = 0; x < wipe.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const std::size_t i = 3 * (static_cast<std::size_t>(y) * 400 + static_cast<std::size_t>(x)) + static_cast<std::size_t>(c);
+                if (std::abs(x - 120) < 4)
+                    continue; // the divider
+                ASSERT_EQ(wipe.rgb[i], (x < 120 ? a : d).rgb[i]) << x << " " << y;
+                if (a.rgb[i] != d.rgb[i])
+                    ++(x < 120 ? as_a : as_d);
+            }
+    EXPECT_GT(as_a, 1000U);
+    EXPECT_GT(as_d, 1000U);
+    EXPECT_EQ(state("wipe.png")["layout"], "wipe");
+    EXPECT_EQ(state("wipe.png")["wipe"], 0.3);
+}
+
 TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
     for (const char *wrong :
          {"render figure-4", "render -o a.png", "render figure-4 -o a.png --size 0x10",
@@ -252,12 +276,16 @@ TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
           "render figure-4 -o a.png --error-range 1:2", "render figure-4 -o a.png --error patch --error-range 0:2",
           "render figure-4 -o a.png --profile \"0 0 0 1 1\"", "render figure-4 -o a.png --range 2:1",
           "render figure-4 -o a.png --view \"1 2 3\"", "render figure-4 -o a.png --layout triple",
+          "render figure-4 -o a.png --layout wipe --panes a,b,c", "render figure-4 -o a.png --layout difference --panes d",
+          "render figure-4 -o a.png --wipe 1.5", "render figure-4 -o a.png --pane-camera \"1 2 3\"",
           "render figure-4 -o a.png --curve -1", "render figure-4 -o a.png --curve-kinds VE,XY",
           "render figure-4 -o a.png --curve-orders 3", "render figure-4 -o a.png --steps -1", "paper"}) {
         EXPECT_EQ(run(wrong), 2) << wrong;
         EXPECT_FALSE(fs::exists(folder / "a.png")) << wrong;
     }
     EXPECT_EQ(run("render nowhere.obj -o a.png"), 3);
+    EXPECT_EQ(run("render figure-4 -o a.png --panes a,d --pane-camera \"3 -4 3 0 0 0 0 0 1 30\""), 3);
+    EXPECT_THAT(text(folder / ".err"), testing::HasSubstr("there are 1 for 2 panes; give one for each"));
     EXPECT_EQ(run("render figure-4 -o no/such/folder/a.png"), 5);
     std::ofstream(folder / "file") << "in the way";
     EXPECT_EQ(run("paper -o file/out"), 5);

@@ -97,6 +97,34 @@ TEST_F(RenderCommand, InTheMiddleOfARefinement) {
     EXPECT_EQ(shell("penumbra render cornell-box --steps 2 --phase refined --split 2 --link 2 -o a.png"), 2);
 }
 
+TEST_F(RenderCommand, TwoStrategiesInOnePlace) {
+    json state{{"scene", "slanted-edge"},
+               {"converged", true},
+               {"strategies", {"uniform-constant", "discontinuity-wavelet"}},
+               {"active", 1},
+               {"wipe", 1.0 / 3},
+               {"options", {{"threshold", 0.05}}},
+               {"picture", small}};
+    for (const char *layout : {"wipe", "flip", "difference"}) {
+        state["layout"] = layout;
+        expect_same(state);
+    }
+    state["error"] = {{"kind", "signed"}, {"range", {-0.25, 0.25}}};
+    expect_same(state);
+}
+
+TEST_F(RenderCommand, PanesWithViewsOfTheirOwn) {
+    const json near{{"eye", {0.3, -3, 1.0 / 3}}, {"target", {0, 0, 0.1}}, {"fov", 31.7}};
+    const json above{{"eye", {0.3, -1, 5}}, {"target", {0, 0, 0.1}}, {"fov", 25}};
+    expect_same({{"scene", "slanted-edge"},
+                 {"converged", true},
+                 {"strategies", {"uniform-constant", "discontinuity-wavelet"}},
+                 {"camera", near},
+                 {"cameras", {near, above}},
+                 {"options", {{"threshold", 0.05}}},
+                 {"picture", small}});
+}
+
 TEST_F(RenderCommand, ToATolerance) {
     expect_same({{"scene", "slanted-edge"}, {"converged", true}, {"options", {{"tolerance", 0.05}, {"max_depth", 20}}}, {"picture", small}});
     expect_same({{"scene", "slanted-edge"}, {"converged", true}, {"options", {{"tolerance", 0.05}, {"max_depth", 8}}}, {"picture", small}});

@@ -60,6 +60,10 @@ const std::map<std::string, Expected> &expectations() {
         {"view.single", {"/layout", "single", {"view.two"}}},
         {"view.two", {"/layout", "two", {}}},
         {"view.four", {"/layout", "four", {}}},
+        {"view.wipe", {"/layout", "wipe", {}}},
+        {"view.flip", {"/layout", "flip", {}}},
+        {"view.difference", {"/layout", "difference", {}}},
+        {"view.unlink", {"/cameras", nullptr, {"view.two"}}},
         {"view.lecture", {"/ui_scale", 1.5, {}}},
         {"view.compare", {"/strategies", Json{"uniform-wavelet", "discontinuity-wavelet"}, {"strategy.d"}}},
         {"view.inspect", {"/layers/links", true, {}}},
@@ -111,7 +115,7 @@ const std::map<std::string, Expected> &expectations() {
 }
 
 /// Left again afterwards by the same key, so that it can't disturb what follows.
-const std::set<std::string> switches{"file.open",          "solve.play", "solve.animate", "view.panels",  "view.theme", "view.keyhole",
+const std::set<std::string> switches{"file.open",          "solve.play", "solve.animate", "view.panels",  "view.theme", "view.unlink", "view.keyhole",
                                      "view.inspector", "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.objects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
                                      "layers.false_colour", "layers.legend", "help.keys", "help.tour"};

@@ -137,6 +137,39 @@ TEST_F(RecordTest, AWayThroughLinksIsPlayedAgain) {
     EXPECT_NE(text_of(file).find("go 2 refine links " + recorded["linking"].dump() + "\n"), std::string::npos) << text_of(file);
 }
 
+TEST_F(RecordTest, PanesInOnePlaceAndViewsOfTheirOwnArePlayedAgain) {
+    Json recorded;
+    {
+        Session session({"--record", file.string()});
+        session.settled();
+        session.key("Right");
+        session.wait_until("a step", [](const Json &s) { return s["position"] == 3 && !s["busy"]; });
+        session.key("ctrl+2");
+        session.wait_until("two", [](const Json &s) { return s["layout"] == "two" && s["panes"][0]["computed"] >= 3 && !s["busy"]; });
+        session.key("shift+l");
+        session.settled();
+        const Box second = session.widget("pane 1");
+        const Point floor{second.x + 0.4 * second.width, second.y + 0.7 * second.height};
+        session.drag(floor, {floor.x + 60, floor.y - 20});
+        const Json moved = session.settled();
+        ASSERT_EQ(moved["cameras"].size(), 2u);
+        EXPECT_NE(moved["cameras"][0], moved["cameras"][1]);
+        session.key("w");
+        session.wait_until("the wipe", [](const Json &s) { return s["layout"] == "wipe"; });
+        session.settled();
+        const Box pane = session.widget("pane 0");
+        const Point divider{pane.x + pane.width / 2, pane.y + pane.height / 2};
+        session.drag(divider, {divider.x - pane.width / 5, divider.y});
+        EXPECT_LT(session.settled()["wipe"], 0.4);
+        session.key("ctrl+2");
+        recorded = session.settled();
+    }
+    EXPECT_EQ(recorded["layout"], "two");
+    const Json again = played();
+    EXPECT_EQ(joined(differences(recorded, again)), "") << text_of(file);
+    EXPECT_NE(text_of(file).find("wipe 0."), std::string::npos) << text_of(file);
+}
+
 TEST_F(RecordTest, WhatIsPickedAndMovedIsPlayedAgain) {
     Json recorded;
     {

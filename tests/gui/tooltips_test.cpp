@@ -101,6 +101,10 @@ TEST_F(Tooltips, EveryControlTellsASentence) {
         hover_all();
     }
     press("h");
+    for (const char *key : {"w", "shift+d"}) {
+        press(key);
+        hover_all();
+    }
     press("ctrl+1");
     press("1"); // meets the depth limit
     press("End");

@@ -38,6 +38,8 @@ SavedState unusual() {
                  .gather = GatherOrder::southwell};
     s.strategies = {Strategy::discontinuity_constant, Strategy::uniform_constant, Strategy::uniform_wavelet};
     s.reconstructed = {true, false, false};
+    s.wipe = 1.0 / 3;
+    s.cameras = {Camera{{3, 1, 1.0 / 3}, {0, 0, 0}, {0, 0, 1}, 31}, Camera{{0.1, 2, 1}, {0, 1, 0}, {0, 0, 1}, 30}, Camera{{1, 7, 1}, {0, 0, 0}, {0, 1, 0}, 29}};
     s.active = 1;
     s.position = 4;
     s.split = 3;
@@ -77,6 +79,8 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     }
     const SavedState s = unusual(), again = read_state("a", state_text(s));
     EXPECT_EQ(again.camera, s.camera);
+    EXPECT_EQ(again.cameras, s.cameras);
+    EXPECT_EQ(again.wipe, s.wipe);
     EXPECT_EQ(again.look, s.look);
     EXPECT_EQ(again.keyhole, s.keyhole);
     EXPECT_EQ(again.profile, s.profile);
@@ -94,6 +98,24 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     ASSERT_EQ(again.bookmarks.size(), 2u);
     EXPECT_EQ(again.bookmarks[1].scene, "figure-4");
     EXPECT_EQ(again.bookmarks[1].caption, "b");
+}
+
+TEST(ReadState, LayoutsOfTwoStrategiesInOnePlaceComeBack) {
+    for (const Layout layout : {Layout::wipe, Layout::flip, Layout::difference}) {
+        SavedState s{.scene = "figure-4", .strategies = {Strategy::uniform_constant, Strategy::uniform_wavelet}};
+        s.layout = layout;
+        s.wipe = 0.1 + 0.2;
+        const SavedState again = read_state("a", state_text(s));
+        EXPECT_EQ(again.layout, layout);
+        EXPECT_EQ(again.wipe, s.wipe);
+        EXPECT_EQ(again.strategies, s.strategies);
+    }
+}
+
+TEST(ReadState, FilesBeforeTheWipeStandSideBySide) {
+    const SavedState s = read_state("a", R"({"scene": "figure-4", "layout": "two", "strategies": ["uniform-constant", "uniform-wavelet"]})");
+    EXPECT_FALSE(s.layout.has_value());
+    EXPECT_EQ(s.wipe, 0.5);
 }
 
 /// The control: every field of the text that was changed changes what is read.
@@ -173,6 +195,13 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("options": {"max_iterations": 0})", "options.max_iterations is 0"},
         {R"("strategies": [])", "strategies has 0 strategies; give 1 to 16"},
         {R"("strategies": ["best"])", "strategies[0] is 'best'; give uniform-constant"},
+        {R"("layout": "three")", "layout is 'three'; give single, two, four, wipe, flip or difference"},
+        {R"("layout": "wipe")", "layout is 'wipe' with 1 strategy; give two"},
+        {R"("strategies": ["uniform-constant", "uniform-wavelet", "uniform-wavelet"], "layout": "difference")",
+         "layout is 'difference' with 3 strategies; give two"},
+        {R"("wipe": 1.5)", "wipe is 1.5; give a number from 0 to 1"},
+        {R"("wipe": -0.01)", "wipe is -0.01; give a number from 0 to 1"},
+        {R"("wipe": "middle")", "wipe is 'middle'; give a number"},
         {R"("reconstructed": [false, true])", "reconstructed has 2 flags; give one for each of the 1 strategies"},
         {R"("reconstructed": [true])", "reconstructed[0] is true for a strategy without constants"},
         {R"("active": 1)", "active is 1; give a whole number from 0 to 0"},
@@ -189,6 +218,12 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("camera": {"eye": [1, 2, 3], "target": [0, 2, 0], "up": [0, 0, 0]})", "camera has an up of length 0"},
         {R"("camera": {"eye": [1, 2, 3], "target": [0, 2, 0], "fov": 180})",
          "camera.fov is 180; give a number from 0.01"},
+        {R"("cameras": 3)", "cameras is 3; give an array"},
+        {R"("cameras": [{"eye": [1, 2, 3], "target": [0, 0, 0]}, {"eye": [1, 2, 3], "target": [0, 0, 0]}])",
+         "cameras has 2 views; give one for each of the 1 strategies, or none"},
+        {R"("cameras": [{"eye": [1, 2, 3], "target": [1, 2, 3]}])", "cameras[0] has its eye in its target; move"},
+        {R"("strategies": ["uniform-constant", "uniform-wavelet"], "layout": "wipe", "cameras": [{"eye": [1, 2, 3], "target": [0, 0, 0]}])",
+         "cameras has 1 views, and layout 'wipe' has one place; leave them out"},
         {R"("layers": {"mesh": "yes"})", "layers.mesh is 'yes'; give true or false"},
         {R"("curves": {"kinds": ["EE"]})", "curves.kinds[0] is 'EE'; give VE, EV"},
         {R"("curves": {"orders": [3]})", "curves.orders[0] is 3; give a whole number from 0 to 2"},
