@@ -2,7 +2,7 @@ const int max_styles = 4;
 uniform vec4 fills[max_styles];
 uniform vec4 hatches[max_styles];
 uniform float hatch_period; // pixels
-uniform vec2 origin;        // of the framebuffer in the picture [pixels]
+uniform vec2 origin;        // of the framebuffer in the pane [pixels]
 
 flat in int style;
 out vec4 colour;

@@ -12,7 +12,7 @@ struct Frame {
     glm::mat4 view{1}, projection{1};
     glm::vec3 eye{0};
     glm::vec2 viewport{1}; ///< pixels
-    glm::vec2 origin{0};   ///< where the framebuffer lies in the picture [pixels, from the lower left]
+    glm::vec2 origin{0};   ///< where the framebuffer lies in the pane [pixels, from the lower left]
     float near = 0.01f;    ///< distance of the near plane
     float pixel = 0.001f;  ///< space to a pixel at the depth of the target
     float scale = 1;       ///< PixelScale

@@ -177,7 +177,7 @@ void PaneRenderer::draw(const Camera &camera, const Look &look, const PixelRect 
         glViewport(viewport.x - corner.x, corner.y + corner.height - viewport.y - viewport.height, viewport.width,
                    viewport.height);
         Frame frame = parts_->frame(camera, look, rect, viewport, pixel_scale);
-        frame.origin = {corner.x, framebuffer_height - corner.y - corner.height};
+        frame.origin = {corner.x - rect.x, rect.y + rect.height - corner.y - corner.height};
         const GpuSnapshot &gpu = parts_->gpu;
         glBindVertexArray(parts_->no_attributes.name());
         gpu.surfaces.bind(0);
