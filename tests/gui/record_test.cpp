@@ -157,9 +157,9 @@ TEST_F(RecordTest, PanesInOnePlaceAndViewsOfTheirOwnArePlayedAgain) {
         session.key("w");
         session.wait_until("the wipe", [](const Json &s) { return s["layout"] == "wipe"; });
         session.settled();
-        const Box pane = session.widget("pane 0");
-        const Point divider{pane.x + pane.width / 2, pane.y + pane.height / 2};
-        session.drag(divider, {divider.x - pane.width / 5, divider.y});
+        const Box handle = session.widget("divider");
+        const Point divider{handle.x + 0.5 * handle.width, handle.y + 0.5 * handle.height};
+        session.drag(divider, {divider.x - 200, divider.y});
         EXPECT_LT(session.settled()["wipe"], 0.4);
         session.key("ctrl+2");
         recorded = session.settled();
