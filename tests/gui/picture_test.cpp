@@ -96,6 +96,42 @@ TEST(Pictures, TheCopiedLineMakesTheSamePicture) {
     expect_same_picture(session);
 }
 
+TEST(Pictures, TheCopiedLineMakesTheSamePictureOfTwoStrategiesInOnePlace) {
+    Session session({"slanted-edge", "--threshold", "0.05"});
+    session.key("Right");
+    session.wait_until("a step", [](const Json &s) { return s["position"] == 3 && !s["busy"]; });
+    const auto solved = [&] {
+        session.wait_until("both", [](const Json &s) {
+            return !s["busy"] && std::ranges::all_of(s["panes"], [](const Json &p) { return p.value("computed", 0) >= 3; });
+        });
+        session.settled();
+    };
+    session.key("w");
+    session.wait_until("the wipe", [](const Json &s) { return s["layout"] == "wipe"; });
+    solved();
+    const Point divider = session.middle("divider");
+    session.drag({divider.x, divider.y + 50}, {divider.x - 111, divider.y + 50});
+    ASSERT_LT(session.settled()["wipe"], 0.45);
+    expect_same_picture(session, "slanted-edge");
+    for (const char *key : {"shift+w", "shift+w", "shift+d"}) {
+        session.key(key);
+        solved();
+        if (session.state()["layout"] == "difference")
+            session.wait_until("the difference", [](const Json &s) { return !s["panes"][1]["error"].is_null() && !s["busy"]; });
+        expect_same_picture(session, "slanted-edge");
+    }
+    EXPECT_EQ(session.state()["layout"], "difference");
+    session.key("ctrl+2");
+    session.key("shift+l");
+    solved();
+    const Box pane = session.widget("pane 0");
+    session.drag({pane.x + 0.5 * pane.width, pane.y + 0.5 * pane.height}, {pane.x + 0.6 * pane.width, pane.y + 0.55 * pane.height});
+    const Json s = session.settled();
+    ASSERT_EQ(s["cameras"].size(), 2U);
+    ASSERT_NE(s["cameras"][0], s["cameras"][1]);
+    expect_same_picture(session, "slanted-edge");
+}
+
 /// What is in the clipboard is seen by pasting it where a file's name is typed: there is no such file, which is said.
 /// As another program gets it when one pastes there.
 TEST(Pictures, TheLineIsInTheClipboard) {
