@@ -254,8 +254,7 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
         list.AddText({low.x + em(0.6f), low.y + height + em(0.3f)}, ImGui::GetColorU32(ImGuiCol_CheckMark), text.c_str());
     };
     if (snapshot)
-        height = draw_pane_label(list, fonts, low, high, label_of(state, *snapshot, pane, tag),
-                                 state.look.theme);
+        height = draw_pane_label(list, fonts, low, high, label_of(state, *snapshot, pane, tag), state.look.theme, true);
     else if (state.scene)
         list.AddText({low.x + em(0.8f), low.y + em(0.6f)}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                      (tag + " finding the discontinuity curves…").c_str());

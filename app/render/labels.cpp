@@ -146,17 +146,24 @@ float pane_label_height(const Fonts &fonts, float width, const PaneLabel &label)
     return fonts.size * (padding + line_height * static_cast<float>(n + 1) + 0.2f);
 }
 
-float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label,
-                      Theme theme) {
+float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label, Theme theme,
+                      bool grounded) {
     const float em = fonts.size, width = high.x - low.x - 2 * padding * em, x = low.x + padding * em;
     // A title that is too wide is drawn smaller rather than cut.
     const float title_size = em * std::min(1.f, width / std::max(1.f, width_of(fonts.bold, em, label.title)));
     float y = low.y + padding * em;
+    const auto write = [&](const ImFont *font, float size, const std::string &line) {
+        const glm::vec4 ground = background_colour(theme);
+        const ImVec2 from{x - 0.25f * em, y - 0.1f * em}, to{x + width_of(font, size, line) + 0.25f * em, y + 1.2f * size};
+        if (grounded && !line.empty())
+            list.AddRectFilled(from, to, ImGui::ColorConvertFloat4ToU32({ground.r, ground.g, ground.b, 0.7f}), 0.25f * em);
+        list.AddText(font, size, {x, y}, ink(theme), line.c_str());
+    };
     list.PushClipRect(low, high, true);
-    list.AddText(fonts.bold, title_size, {x, y}, ink(theme), label.title.c_str());
+    write(fonts.bold, title_size, label.title);
     for (const std::string &line : in_lines(fonts, width, label)) {
         y += line_height * em;
-        list.AddText(fonts.text, em, {x, y}, ink(theme), line.c_str());
+        write(fonts.text, em, line);
     }
     draw_footnote(list, fonts, {x, high.y - (padding + footnote_size) * em}, label, theme);
     list.PopClipRect();

@@ -34,10 +34,10 @@ PaneLabel pane_label(const Snapshot &snapshot, const std::string &tag = "", cons
 /// Of the picture of a difference; with its map the label tells how large it is.
 PaneLabel difference_label(const Snapshot &first, const Snapshot &second, const ErrorMap *map);
 
-/// In the upper left corner of the rectangle; the footnote in the lower left one. Returns the height of the upper part
-/// [pixels].
-float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label,
-                      Theme theme);
+/// In the upper left corner of the rectangle; the footnote in the lower left one. `grounded`: lines have the background beneath
+/// them, to be read over a picture. Returns the height of the upper part [pixels].
+float draw_pane_label(ImDrawList &list, const Fonts &fonts, ImVec2 low, ImVec2 high, const PaneLabel &label, Theme theme,
+                      bool grounded = false);
 /// The footnote alone.
 void draw_footnote(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const PaneLabel &label, Theme theme);
 /// The height it would have in a rectangle of this width.
