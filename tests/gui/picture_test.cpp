@@ -110,8 +110,13 @@ TEST(Pictures, TheCopiedLineMakesTheSamePictureOfTwoStrategiesInOnePlace) {
     session.wait_until("the wipe", [](const Json &s) { return s["layout"] == "wipe"; });
     solved();
     const Point divider = session.middle("divider");
-    session.drag({divider.x, divider.y + 50}, {divider.x - 111, divider.y + 50});
-    ASSERT_LT(session.settled()["wipe"], 0.45);
+    session.move({divider.x, divider.y + 50});
+    session.wait_until("the mouse is there", [](const Json &s) { return s["told"]["control"] == "divider"; });
+    session.hold(Point{divider.x, divider.y + 50});
+    session.wait_until("it is held", [](const Json &s) { return s["told"]["control"] == ""; });
+    session.move({divider.x - 111, divider.y + 50});
+    session.wait_until("the divider follows", [](const Json &s) { return s["wipe"].get<double>() < 0.45; });
+    session.let_go();
     expect_same_picture(session, "slanted-edge");
     for (const char *key : {"shift+w", "shift+w", "shift+d"}) {
         session.key(key);
@@ -125,10 +130,11 @@ TEST(Pictures, TheCopiedLineMakesTheSamePictureOfTwoStrategiesInOnePlace) {
     session.key("shift+l");
     solved();
     const Box pane = session.widget("pane 0");
-    session.drag({pane.x + 0.5 * pane.width, pane.y + 0.5 * pane.height}, {pane.x + 0.6 * pane.width, pane.y + 0.55 * pane.height});
-    const Json s = session.settled();
-    ASSERT_EQ(s["cameras"].size(), 2U);
-    ASSERT_NE(s["cameras"][0], s["cameras"][1]);
+    session.hold(Point{pane.x + 0.5 * pane.width, pane.y + 0.5 * pane.height});
+    session.wait_until("it is held", [](const Json &s) { return s["active"] == 0 && s["cameras"].size() == 2; });
+    session.move({pane.x + 0.6 * pane.width, pane.y + 0.55 * pane.height});
+    session.wait_until("one view turns", [](const Json &s) { return s["cameras"][0] != s["cameras"][1]; });
+    session.let_go();
     expect_same_picture(session, "slanted-edge");
 }
 
