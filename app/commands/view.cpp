@@ -74,8 +74,9 @@ Command add_view(CLI::App &root) {
         ->capture_default_str();
     parser->add_option("--record", setup->record,
                        "Writes what is done in the window to this file, as a script that --script does again");
-    // For tests, and so not in the help.
+    // For tests and measuring, and so not in the help.
     parser->add_option("--state-file", setup->state_file)->group("");
+    parser->add_option("--frame-times", setup->frame_times)->group("");
     parser->add_flag("--inert", setup->inert)->group("");
     parser->add_flag("--lose-context", setup->lose_context)->group("");
     return {parser, [=] { return run(*parser, *solving, *setup, *script); }};

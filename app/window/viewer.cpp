@@ -74,6 +74,8 @@ Viewer::Viewer(ViewerSetup setup)
     keeper_.note_opened(state_, setup_.file_name);
     if (!setup_.record.empty())
         begin_record();
+    if (!setup_.frame_times.empty())
+        frame_times_.emplace(setup_.frame_times);
     if (setup_.script)
         script_.emplace(std::move(*setup_.script));
 }
@@ -133,6 +135,8 @@ void Viewer::show_until_closed(const EndSignal &signal) {
     }
     if (recorder_)
         recorder_->note(state_, Clock::now(), false);
+    if (frame_times_)
+        frame_times_->write();
 }
 
 /// A line at a time, when what the line before has changed was drawn.
@@ -360,6 +364,8 @@ void Viewer::update_fonts() {
 }
 
 void Viewer::draw_frame() {
+    if (frame_times_)
+        frame_times_->begin();
     update_fonts();
     window_.begin_frame();
     keeper_.note_frame();
@@ -380,14 +386,16 @@ void Viewer::draw_frame() {
     draw_panels(arrangement);
     set_first_view(); // where a panel has asked for it
 
+    const bool moving = is_moving() && !state_.picture_request;
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
     if (width > 0 && height > 0)
-        canvas_.draw(state_, look_now(), arrangement, width, height, window_.pixel_ratio(),
-                     is_moving() && !state_.picture_request);
+        canvas_.draw(state_, look_now(), arrangement, width, height, window_.pixel_ratio(), moving);
     window_.draw_interface();
     take_pictures();
     window_.swap();
+    if (frame_times_)
+        frame_times_->end(state_.busy.has_value(), moving);
 }
 
 float Viewer::legend_height(float width) const {

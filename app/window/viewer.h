@@ -9,6 +9,7 @@
 #include "script.h"
 #include "solve_worker.h"
 #include "truth_worker.h"
+#include "window/frame_times.h"
 #include "window/glfw_window.h"
 #include "window/keeper.h"
 #include "window/pane_canvas.h"
@@ -34,6 +35,7 @@ struct ViewerSetup {
     std::optional<Script> script;            ///< played first; none: nothing is
     std::filesystem::path record;            ///< script of what is done; empty: none
     std::filesystem::path state_file;        ///< for tests: the observed state, written when it changed; empty: none
+    std::filesystem::path frame_times;       ///< for measuring: how long frames took; empty: none
     bool inert = false;                      ///< for tests of the tests: actions do nothing
     bool lose_context = false;               ///< for tests: after the first step, as if the driver had lost the context
 };
@@ -82,6 +84,7 @@ private:
     PaneCanvas canvas_;
     std::optional<ScriptPlayer> script_;
     std::optional<Recorder> recorder_;
+    std::optional<FrameTimes> frame_times_;
     SolveWorker worker_;
     CheckWorker checker_;
     TruthWorker judge_;
