@@ -12,6 +12,7 @@
 #include <fstream>
 #include <set>
 #include <thread>
+#include <unistd.h>
 
 namespace penumbra::gui {
 namespace {
@@ -23,9 +24,10 @@ std::string text_of(const std::filesystem::path &file) {
 
 class RecordTest : public testing::Test {
 protected:
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "record.txt";
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("record-" + std::to_string(::getpid()) + ".txt");
 
     void SetUp() override { std::filesystem::remove(file); }
+    void TearDown() override { std::filesystem::remove(file); }
 
     /// What a new window comes to that plays it.
     Json played() const {
@@ -277,7 +279,7 @@ TEST_F(RecordTest, PausesAreWrittenDownAndTheFileIsWholeAllTheTime) {
     EXPECT_GE(std::stod(text.substr(at + 17)), 1.9) << text;
     EXPECT_TRUE(text.ends_with("\nlayers.links\n")) << text;
     for (const auto &entry : std::filesystem::directory_iterator(file.parent_path()))
-        EXPECT_FALSE(entry.path() != file && entry.path().filename().string().starts_with("record.txt")) << entry.path();
+        EXPECT_FALSE(entry.path() != file && entry.path().filename().string().starts_with(file.filename().string())) << entry.path();
 }
 
 TEST(Record, APlaceThatCannotBeWrittenIsOneLineAndStatusThree) {
@@ -303,7 +305,14 @@ TEST(Record, ChangesHaveLines) {
         return joined(lines_between(before, after));
     };
     EXPECT_EQ(line([](Scripted &s) { s.place = {position_of(2, Phase::refined), 17}; }), "go 2 refine 17\n");
+    EXPECT_EQ(line([](Scripted &s) { s.place = {position_of(2, Phase::refined), {}, 40}; }), "go 2 refine links 40\n");
     EXPECT_EQ(line([](Scripted &s) { s.place = {far_ahead, {}}; }), "go end\n");
+    EXPECT_EQ(line([](Scripted &s) {
+                  s.set.layout = Layout::wipe;
+                  s.set.wipe = 0.25;
+              }),
+              "panes a d wipe\nwipe 0.25\n");
+    EXPECT_EQ(line([](Scripted &s) { s.set.layout = Layout::difference; }), "panes a d difference\n");
     EXPECT_EQ(line([](Scripted &s) { s.caption = "Look."; }), "say Look.\n");
     EXPECT_EQ(line([](Scripted &s) { s.set.options = s.set.options.to_tolerance(0.01); }), "set --tolerance 0.01\n");
     EXPECT_EQ(line([](Scripted &s) { s.set.options.effects[Effect::colour] = Switch::off; }), "set --effect colour=off\n");

@@ -43,6 +43,7 @@ SavedState unusual() {
     s.active = 1;
     s.position = 4;
     s.split = 3;
+    s.linking = 5;
     s.converged = true;
     s.camera = Camera{{0.1, -1e-17, 1e9}, {2, 3, 5}, {0.6, 0.8, 0}, 0.1 + 0.2};
     s.look.shading = Shading::error;
@@ -93,6 +94,7 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     EXPECT_EQ(again.strategies, s.strategies);
     EXPECT_EQ(again.reconstructed, s.reconstructed);
     EXPECT_EQ(again.split, s.split);
+    EXPECT_EQ(again.linking, s.linking);
     EXPECT_EQ(again.moves, s.moves);
     EXPECT_EQ(again.caption, s.caption);
     ASSERT_EQ(again.bookmarks.size(), 2u);
@@ -208,6 +210,7 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("position": -1)", "position is -1"},
         {R"("iteration": 1, "phase": "push")", "phase is 'push'; give start, refine"},
         {R"("split": 0)", "split is 0; give a whole number from 1"},
+        {R"("linking": 0)", "linking is 0; give a whole number from 1"},
         {R"("converged": 1)", "converged is 1; give true or false"},
         {R"("camera": {"eye": [0, 0, 1]})", "camera has no target; give one"},
         {R"("camera": {"eye": [0, 0], "target": [0, 0, 0]})", "camera.eye has 2 numbers; give x, y and z"},
