@@ -316,6 +316,8 @@ struct AppState {
     bool cancel_request = false, quit_request = false;
 
     std::map<std::string, WindowRect> widgets; ///< where each control was drawn in the last frame, by action or name
+    std::vector<std::string> cut; ///< what does not fit where it is drawn, in the last frame; tests want none
+    int tool_bar_rows = 1;        ///< that it took in the last frame
     std::string last_picture, last_state; ///< files
     int inputs = 0;           ///< keys that were pressed so far; tests wait for theirs to be taken
     double cancel_ms = -1;    ///< from the last cancel to its answer; negative: none yet

@@ -289,6 +289,7 @@ std::string observed_state_text(const AppState &s) {
     j["saved"] = s.last_state;
     j["inputs"] = s.inputs;
     j["cancel_ms"] = s.cancel_ms;
+    j["cut"] = s.cut;
     j["widgets"] = Json::object();
     for (const auto &[widget, r] : s.widgets)
         j["widgets"][widget] = Json::array({r.x, r.y, r.width, r.height});

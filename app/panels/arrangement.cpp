@@ -28,18 +28,23 @@ std::pair<WindowRect, WindowRect> cut_at(const WindowRect &area, double share) {
 }
 } // namespace
 
+bool is_narrow(float width, float em) { return width < 54 * em; }
+
 Arrangement arrange(const AppState &state, float width, float height, float top, float em,
                     const std::function<float(float)> &legend_height) {
     Arrangement a;
     WindowRect rest{0, 0, width, height};
     if (!state.panels_hidden) {
-        const float bar = std::round(2.3f * em), transport = std::round(3.5f * em), status = std::round(1.75f * em);
+        const float bar = std::round((0.45f + 1.85f * static_cast<float>(state.tool_bar_rows)) * em),
+                    transport = std::round((is_narrow(width, em) ? 6.2f : 3.5f) * em), status = std::round(1.75f * em);
         const float side = std::min(std::round(16.5f * em), std::floor(0.35f * width));
         a.tool_bar = {0, top, width, bar};
         a.status = {0, height - status, width, status};
         a.transport = {0, a.status.y - transport, width, transport};
-        a.side = {0, top + bar, side, a.transport.y - top - bar};
-        rest = {side, top + bar, width - side, a.side.height};
+        // In a narrow window one panel stands beside the panes.
+        const bool gives_way = is_narrow(width, em) && state.inspector != Inspector::none;
+        a.side = {0, top + bar, gives_way ? 0 : side, a.transport.y - top - bar};
+        rest = {a.side.width, top + bar, width - a.side.width, a.side.height};
         if (state.inspector != Inspector::none) {
             const float inspector = std::min(std::round(25 * em), std::floor(0.5f * rest.width));
             rest.width -= inspector;

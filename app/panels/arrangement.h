@@ -18,6 +18,9 @@ struct Arrangement {
     std::vector<WindowRect> place;  ///< the panes' without repetition
 };
 
+/// Of a window in which the course of the solution has a line of its own.
+bool is_narrow(float width, float em);
+
 /// `width`, `height`: of the window [screen coordinates]; `top`: height of the menu bar; `em`: of the text;
 /// `legend_height`: what the legend of lines needs in a strip of the width that it is given.
 Arrangement arrange(const AppState &state, float width, float height, float top, float em,

@@ -31,6 +31,12 @@ void pop_on_colours(bool on) {
         ImGui::PopStyleColor(2);
 }
 
+/// Buttons may be made narrower than their text, which is cut then.
+void note_cut_text(AppState &state, std::string_view name, const char *text) {
+    if (ImGui::CalcTextSize(text).x + ImGui::GetStyle().FramePadding.x > ImGui::GetItemRectSize().x + 1)
+        state.cut.push_back("text of " + std::string(name));
+}
+
 void draw_icon(ImDrawList &list, Icon icon, ImVec2 centre, float r, ImU32 colour) {
     const auto triangle = [&](float x, float direction) {
         const float w = 0.8f * r * direction;
@@ -115,6 +121,7 @@ void action_button(AppState &state, std::string_view id, const char *text, ImVec
     ImGui::EndDisabled();
     pop_on_colours(on);
     mark(state, id);
+    note_cut_text(state, id, text ? text : std::string(action.title).c_str());
     tooltip_of(action);
     if (clicked)
         run(action, state);
@@ -130,6 +137,7 @@ void held_button(AppState &state, std::string_view id, const char *text, bool &h
     ImGui::EndDisabled();
     pop_on_colours(on);
     mark(state, id);
+    note_cut_text(state, id, text);
     tooltip_of(action);
 }
 
@@ -168,14 +176,56 @@ bool choice(AppState &state, std::string_view name, const char *text, bool on, c
     const bool clicked = ImGui::Button((std::string(text) + "##" + std::string(name)).c_str(), size);
     pop_on_colours(on);
     mark(state, name);
+    note_cut_text(state, name, text);
     tooltip(text, sentence, {}, paper_line(name));
     return clicked;
+}
+
+float button_width(const char *text) { return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x; }
+
+bool go_on(float space, float width) {
+    ImGui::SameLine(0, space);
+    if (ImGui::GetCursorPosX() + width <= ImGui::GetWindowContentRegionMax().x)
+        return false;
+    ImGui::NewLine();
+    return true;
+}
+
+ButtonRow::ButtonRow(const std::vector<const char *> &texts) {
+    const float left = ImGui::GetContentRegionAvail().x;
+    std::size_t begin = 0;
+    float taken = 0;
+    const auto fill = [&](std::size_t end) {
+        const auto n = static_cast<float>(end - begin);
+        for (std::size_t i = begin; i < end; ++i)
+            places_[i].width *= (left - (n - 1)) / taken;
+        begin = end;
+        taken = 0;
+    };
+    for (const char *text : texts) {
+        const float width = button_width(text), gaps = static_cast<float>(places_.size() - begin);
+        const bool breaks = places_.size() > begin && taken + width + gaps > left;
+        if (breaks)
+            fill(places_.size());
+        places_.push_back({width, breaks || places_.empty()});
+        taken += width;
+    }
+    fill(places_.size());
+}
+
+ImVec2 ButtonRow::next() {
+    const Place place = places_[next_++];
+    if (!place.begins_line)
+        ImGui::SameLine(0, 1);
+    return {place.width, 0};
 }
 
 void heading(const char *text) {
     ImGui::Dummy({0, em(0.25f)});
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }
 

@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace penumbra {
 
@@ -28,6 +29,27 @@ void action_check(AppState &state, std::string_view id, const char *text = nullp
 
 /// A button of a group of which one is on. Returns whether it was clicked.
 bool choice(AppState &state, std::string_view name, const char *text, bool on, const char *tooltip, ImVec2 size = {0, 0});
+
+/// Buttons side by side over what is left of the line, each as wide as its text asks; in more lines where they would be cut.
+class ButtonRow {
+public:
+    explicit ButtonRow(const std::vector<const char *> &texts);
+    /// Of the next button, which is to be drawn right after.
+    ImVec2 next();
+
+private:
+    struct Place {
+        float width = 0;
+        bool begins_line = false;
+    };
+    std::vector<Place> places_;
+    std::size_t next_ = 0;
+};
+/// What is drawn next, so wide, goes on in this line after a space, or in the next one where it would be cut. Returns whether
+/// that is a new line.
+bool go_on(float space, float width);
+/// Of a button with this text.
+float button_width(const char *text);
 
 /// A small heading, with space above.
 void heading(const char *text);

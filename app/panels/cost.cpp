@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace penumbra {
 
@@ -29,19 +30,14 @@ std::string value_words(CostMeasure measure, const Counters &counters) {
 }
 
 void draw_measure_choice(AppState &state) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    const auto button = [&](CostMeasure m, float share, bool first) {
-        if (!first)
-            ImGui::SameLine(0, 1);
+    std::vector<const char *> texts;
+    for (const CostMeasure m : all_cost_measures)
+        texts.push_back(button_words(m));
+    ButtonRow row(texts);
+    for (const CostMeasure m : all_cost_measures)
         if (choice(state, "cost " + std::string(name(m)), button_words(m), state.cost_measure == m,
-                   std::string(sentence(m)).c_str(), {share * width - 1, 0}))
+                   std::string(sentence(m)).c_str(), row.next()))
             state.cost_measure = m;
-    };
-    button(CostMeasure::seconds, 0.27f, true);
-    button(CostMeasure::patches, 0.27f, false);
-    button(CostMeasure::coefficients, 0.46f, false);
-    button(CostMeasure::link_coefficients, 0.5f, true);
-    button(CostMeasure::kernel_evaluations, 0.5f, false);
 }
 
 /// All figures of a point.

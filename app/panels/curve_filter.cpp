@@ -13,28 +13,24 @@ namespace {
 void draw_kinds(AppState &state) {
     struct Kind {
         const char *name, *sentence;
-        float share; ///< of the line
     };
-    static constexpr Kind kinds[] = {{"VE", "A corner goes behind an edge.", 0.15f},
-                                     {"EV", "A corner comes before an edge.", 0.15f},
-                                     {"EEE", "Three edges seem to meet.", 0.19f},
-                                     {"plane", "A polygon is seen edge-on.", 0.22f},
-                                     {"contact", "A blocker touches the receiver.", 0.29f}};
-    const float width = ImGui::GetContentRegionAvail().x - 4;
+    static constexpr Kind kinds[] = {{"VE", "A corner goes behind an edge."},
+                                     {"EV", "A corner comes before an edge."},
+                                     {"EEE", "Three edges seem to meet."},
+                                     {"plane", "A polygon is seen edge-on."},
+                                     {"contact", "A blocker touches the receiver."}};
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {em(0.2f), ImGui::GetStyle().FramePadding.y});
+    ButtonRow row({"VE", "EV", "EEE", "plane", "contact"});
     for (std::size_t k = 0; k < 5; ++k) {
-        if (k > 0)
-            ImGui::SameLine(0, 1);
         bool &on = state.look.curve_filter.kinds[k];
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
-        if (choice(state, std::string("kind ") + kinds[k].name, kinds[k].name, on, kinds[k].sentence,
-                   {kinds[k].share * width, 0}))
+        if (choice(state, std::string("kind ") + kinds[k].name, kinds[k].name, on, kinds[k].sentence, row.next()))
             on = !on;
-        ImGui::PopStyleVar();
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         if (on) // in the colour that the curve is drawn in
             ImGui::GetWindowDrawList()->AddRectFilled(
                 {low.x, high.y - em(0.2f)}, high, ImGui::ColorConvertFloat4ToU32(curve_colour(static_cast<int>(k))));
     }
+    ImGui::PopStyleVar();
 }
 
 void draw_orders(AppState &state) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace penumbra {
 
@@ -105,7 +106,10 @@ void draw_entry(AppState &state, const LedgerEntry &entry, Asked &asked) {
     if (const std::string spared = spared_words(entry); !spared.empty())
         ImGui::TextDisabled("%s", spared.c_str());
     ImGui::PopTextWrapPos();
+    bool first = true;
     for (const Switch value : all_switches) {
+        if (!std::exchange(first, false))
+            ImGui::SameLine(0, 1);
         const std::string text(name(value));
         if (choice(state, "effect " + id + " " + text, text.c_str(), state.options.effects[entry.effect] == value,
                    value == Switch::automatic ? "As much as the scene calls for. Starts anew."
@@ -115,9 +119,8 @@ void draw_entry(AppState &state, const LedgerEntry &entry, Asked &asked) {
             asked.effect = entry.effect;
             asked.value = value;
         }
-        ImGui::SameLine(0, 1);
     }
-    ImGui::SameLine(0, em(0.6f));
+    go_on(em(0.6f), button_width("show what this changes"));
     const EffectChange change = opposite(entry);
     const std::string tells = "Solves with " + words(change) + " as well, and shows the difference in place of the light.";
     if (choice(state, "change " + id, "show what this changes", state.look.shading == Shading::error && state.look.change == change,

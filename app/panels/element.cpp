@@ -44,7 +44,7 @@ void draw_what_it_holds(AppState &state, const ElementReport &r) {
     const auto snapshot = state.snapshot(state.active_strategy());
     const SnapshotSurface &surface = snapshot->surfaces[static_cast<std::size_t>(r.surface)];
     const int patch = patch_at(*snapshot, r.surface, to_plane(surface, r.question.point));
-    const float side = em(6), gap = em(0.8f), width = ImGui::GetContentRegionAvail().x - side - gap;
+    const float side = em(6), gap = em(0.8f);
     if (patch >= 0) {
         ImGui::BeginGroup();
         draw_polynomial_map(*snapshot, patch, state.active_camera(), state.look, side);
@@ -58,7 +58,7 @@ void draw_what_it_holds(AppState &state, const ElementReport &r) {
     ImGui::TextUnformatted(("constant: " + rgb_words(mean) + " W/m\u00b2").c_str());
     const auto n = static_cast<int>(r.coefficients.rows());
     if (n > 1) {
-        draw_coefficient_bars(r, width, side - 2 * ImGui::GetTextLineHeightWithSpacing());
+        draw_coefficient_bars(r, ImGui::GetContentRegionAvail().x, side - 2 * ImGui::GetTextLineHeightWithSpacing());
         mark(state, "coefficients");
         const double most = r.coefficients.bottomRows(n - 1).cwiseAbs().maxCoeff();
         ImGui::TextDisabled("other %d functions, \u00b1%s W/m\u00b2", n - 1, number_words(most).c_str());

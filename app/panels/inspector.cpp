@@ -8,16 +8,12 @@ void draw_inspector(AppState &state, const WindowRect &rect, const Fonts &fonts)
     if (state.inspector == Inspector::none)
         return;
     begin_panel("inspector", rect);
-    const float width = ImGui::GetContentRegionAvail().x - 4;
-    action_button(state, "view.inspector", "Element", {0.2f * width, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "view.filters", "Filters", {0.18f * width, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "view.hard_cases", nullptr, {0.27f * width, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "view.cost", "Cost", {0.15f * width, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "view.effects", nullptr, {0.2f * width, 0});
+    ButtonRow tabs({"Element", "Filters", "Hard cases", "Cost", "Effects"});
+    action_button(state, "view.inspector", "Element", tabs.next());
+    action_button(state, "view.filters", "Filters", tabs.next());
+    action_button(state, "view.hard_cases", "Hard cases", tabs.next());
+    action_button(state, "view.cost", "Cost", tabs.next());
+    action_button(state, "view.effects", "Effects", tabs.next());
     if (state.inspector == Inspector::element)
         draw_element(state, fonts);
     else if (state.inspector == Inspector::filters)

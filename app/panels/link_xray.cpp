@@ -13,14 +13,13 @@ namespace penumbra {
 namespace {
 
 void choose_line(AppState &state, const LinkXray &xray) {
-    const float half = (ImGui::GetContentRegionAvail().x - 1) / 2;
+    ButtonRow lines({"through the centre", "where it misses most"});
     if (choice(state, "xray.centre", "through the centre", xray.line == XrayLine::centre,
-               "The line runs through the middle of the picked element.", {half, 0}))
+               "The line runs through the middle of the picked element.", lines.next()))
         set_xray_line(state, XrayLine::centre);
-    ImGui::SameLine(0, 1);
     ImGui::BeginDisabled(xray.tests.empty());
     if (choice(state, "xray.worst", "where it misses most", xray.line == XrayLine::worst,
-               "The line runs through the test point at which the fit misses most.", {half, 0}))
+               "The line runs through the test point at which the fit misses most.", lines.next()))
         set_xray_line(state, XrayLine::worst);
     ImGui::EndDisabled();
 }

@@ -145,7 +145,7 @@ void draw_filters(AppState &state, const SplitFilters &f) {
     const float margin = em(1.15f), gap = em(0.9f), width = ImGui::GetContentRegionAvail().x;
     const float line = ImGui::GetTextLineHeightWithSpacing(), text = line + margin + em(2.2f);
     const float rest = ImGui::GetContentRegionAvail().y - 2 * text;
-    const float side = std::floor(std::clamp(rest / 2, em(6), (width - gap) / 2 - margin));
+    const float side = std::floor(std::min(std::max(rest / 2, em(6)), (width - gap) / 2 - margin));
     const float left = ImGui::GetCursorPosX(), right = left + margin + side + gap;
     const double range = std::max(largest(piece.push), largest(piece.pull));
     const float top = ImGui::GetCursorPosY();

@@ -3,6 +3,7 @@
 
 #include "panels/controls.h"
 #include "panels/panels.h"
+#include "panels/shortened.h"
 
 #include <algorithm>
 
@@ -21,10 +22,7 @@ void draw_entry(AppState &state, const PaletteEntry &entry, bool chosen) {
     ImGui::TextUnformatted(entry.title.c_str());
     ImGui::SameLine();
     const float right = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(entry.key.c_str()).x;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::PushClipRect(at, {ImGui::GetWindowPos().x + right - em(0.5f), at.y + em(1.5f)}, true);
-    ImGui::TextDisabled("%s", entry.help.c_str());
-    ImGui::PopClipRect();
+    ImGui::TextDisabled("%s", shortened(entry.help, right - em(0.5f) - ImGui::GetCursorPosX()).c_str());
     ImGui::SameLine(right);
     ImGui::TextUnformatted(entry.key.c_str());
     ImGui::EndDisabled();

@@ -22,8 +22,12 @@ constexpr std::array<SizeChoice, 4> sizes{{
 void draw_sizes(AppState &state) {
     PictureSettings &settings = state.pictures.settings;
     field_label("Size");
+    const float left = ImGui::GetCursorPosX();
+    const bool narrow = ImGui::GetIO().DisplaySize.x < em(46);
     for (const SizeChoice &c : sizes) {
-        if (&c != &sizes.front())
+        if (narrow && &c == &sizes[2])
+            ImGui::SetCursorPosX(left);
+        else if (&c != &sizes.front())
             ImGui::SameLine();
         if (choice(state, c.name, c.text, settings.size == c.size, c.tooltip))
             settings.size = c.size;

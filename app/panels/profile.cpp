@@ -1,6 +1,7 @@
 // Below the panes: the radiosity along the line, and the line in the panes.
 #include "panels/controls.h"
 #include "panels/panels.h"
+#include "panels/shortened.h"
 #include "plot/draw_list_canvas.h"
 #include "render/profile_mark.h"
 
@@ -14,19 +15,22 @@ void draw_profile_panel(AppState &state, const WindowRect &rect, const Fonts &fo
     }
     begin_panel("profile", rect);
     if (!mode.line) {
+        ImGui::PushTextWrapPos(0);
         ImGui::TextDisabled("Drag a line over a lit surface: here will stand the radiosity along it.");
+        ImGui::PopTextWrapPos();
         ImGui::End();
         return;
     }
     std::string heading = "Radiosity along A\u2013B over " + mode.data.surface;
     if (mode.exact.empty())
         heading += state.truth.halted ? ";  the truth was not looked for" : ";  " + state.truth.doing + "\u2026";
-    ImGui::TextUnformatted(heading.c_str());
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - em(1.6f));
+    const float close = ImGui::GetWindowContentRegionMax().x - em(1.6f);
+    ImGui::TextUnformatted(shortened(heading, close - em(1)).c_str());
+    ImGui::SameLine(close);
     action_button(state, "view.profile", "\u00d7", {em(1.6f), 0});
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high(rect.x + rect.width, rect.y + rect.height);
-    ImGui::InvisibleButton("plot", {std::max(1.f, high.x - low.x), std::max(1.f, high.y - low.y)});
+    const ImVec2 left = ImGui::GetContentRegionAvail(), high(low.x + std::max(1.f, left.x), low.y + std::max(1.f, left.y));
+    ImGui::InvisibleButton("plot", {high.x - low.x, high.y - low.y});
     state.widgets["profile plot"] = {low.x, low.y, high.x - low.x, high.y - low.y};
     DrawListCanvas canvas(*ImGui::GetWindowDrawList(), fonts);
     const PlotBox box{{rect.x, low.y}, {high.x, high.y}};

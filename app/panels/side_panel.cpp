@@ -14,26 +14,31 @@ namespace penumbra {
 
 namespace {
 
+/// The next check box stands there in this line, or begins the next where it would be cut.
+void beside(float at, const char *text) {
+    const float width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(text).x;
+    if (at + width <= ImGui::GetWindowContentRegionMax().x)
+        ImGui::SameLine(at);
+}
+
 void draw_layers(AppState &state) {
     heading("Show");
     action_check(state, "layers.mesh");
-    ImGui::SameLine(em(7.5f));
+    beside(em(7.5f), "New patches");
     action_check(state, "layers.fresh", "New patches");
     action_check(state, "layers.curves", "Curves");
-    ImGui::SameLine(em(7.5f));
+    beside(em(7.5f), "Links");
     action_check(state, "layers.links");
     draw_curve_filter(state);
 }
 
 /// What of the error is shown.
 void draw_errors(AppState &state) {
-    const float half = (ImGui::GetContentRegionAvail().x - 1) / 2;
-    action_button(state, "error.signed", "signed", {half, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "error.relative", "relative", {half, 0});
-    action_button(state, "error.patch", "of each patch", {half, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "error.estimate", "vs. estimate", {half, 0});
+    ButtonRow light({"signed", "relative"}), patches({"of each patch", "vs. estimate"});
+    action_button(state, "error.signed", "signed", light.next());
+    action_button(state, "error.relative", "relative", light.next());
+    action_button(state, "error.patch", "of each patch", patches.next());
+    action_button(state, "error.estimate", "vs. estimate", patches.next());
     action_check(state, "layers.lock_range");
 }
 
@@ -44,14 +49,11 @@ void draw_shading(AppState &state) {
         return;
     }
     heading("Shading");
-    const float width = ImGui::GetContentRegionAvail().x - 2;
-    action_button(state, "layers.polynomial", "Polynomial", {0.37f * width - 1, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "layers.flat", "Flat", {0.17f * width, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "layers.linear", "Linear", {0.24f * width, 0});
-    ImGui::SameLine(0, 1);
-    action_button(state, "layers.error", "Error", {0.22f * width, 0});
+    ButtonRow kinds({"Polynomial", "Flat", "Linear", "Error"});
+    action_button(state, "layers.polynomial", "Polynomial", kinds.next());
+    action_button(state, "layers.flat", "Flat", kinds.next());
+    action_button(state, "layers.linear", "Linear", kinds.next());
+    action_button(state, "layers.error", "Error", kinds.next());
     if (state.look.shading == Shading::error) {
         draw_errors(state);
         return;
@@ -146,6 +148,8 @@ void draw_cursor(const AppState &state) {
 } // namespace
 
 void draw_side_panel(AppState &state, const WindowRect &rect) {
+    if (rect.width <= 0)
+        return;
     begin_panel("side", rect);
     draw_layers(state);
     draw_shading(state);

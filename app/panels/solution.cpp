@@ -17,16 +17,15 @@ namespace {
 /// By what the solution is asked for. Returns whether that has changed.
 bool draw_asked(AppState &state, Options &options) {
     const bool by_tolerance = options.tolerance.has_value();
-    const float half = (ImGui::GetContentRegionAvail().x - 1) / 2;
+    ButtonRow measures({"By threshold", "By tolerance"});
     if (choice(state, "asked threshold", "By threshold", !by_tolerance,
-               "The misfit that a patch may have is given, as in the paper; the error follows.", {half, 0}) &&
+               "The misfit that a patch may have is given, as in the paper; the error follows.", measures.next()) &&
         by_tolerance) {
         options = options.to_threshold(options.threshold);
         return true;
     }
-    ImGui::SameLine(0, 1);
     if (choice(state, "asked tolerance", "By tolerance", by_tolerance,
-               "The error that the whole solution may have is given; the solver finds its thresholds.", {half, 0}) &&
+               "The error that the whole solution may have is given; the solver finds its thresholds.", measures.next()) &&
         !by_tolerance) {
         options = options.to_tolerance(state.asked_tolerance);
         return true;

@@ -1,5 +1,6 @@
 #include "panels/controls.h"
 #include "panels/panels.h"
+#include "panels/shortened.h"
 #include "panels/words.h"
 #include "picture_verbs.h"
 #include "truth_verbs.h"
@@ -27,9 +28,16 @@ std::string facts(const AppState &state) {
 void draw_status_bar(AppState &state, const WindowRect &rect) {
     begin_panel("status", rect);
     const std::string progress = picture_progress(state);
-    ImGui::TextUnformatted(!progress.empty() ? progress.c_str() : state.message.error ? "" : state.message.text.c_str());
     const std::string right = facts(state);
-    ImGui::SameLine(std::max(em(1), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(right.c_str()).x));
+    const float place = std::max(em(1), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(right.c_str()).x);
+    const std::string whole = !progress.empty() ? progress : state.message.error ? "" : state.message.text;
+    const std::string shown = shortened(whole, place - em(1.5f));
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown != whole) {
+        mark(state, "message");
+        tooltip("What just happened", whole);
+    }
+    ImGui::SameLine(place);
     ImGui::TextDisabled("%s", right.c_str());
     ImGui::End();
 }

@@ -3,13 +3,18 @@
 #include "verbs.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace penumbra {
 
 namespace {
 
-void gap() {
-    ImGui::SameLine(0, em());
+/// Before a group of so many words and buttons: where they do not fit into the line, they begin the next.
+void gap(AppState &state, const std::vector<const char *> &texts, float space) {
+    float width = 0;
+    for (const char *text : texts)
+        width += button_width(text);
+    state.tool_bar_rows += go_on(space, width);
 }
 
 void label(const char *text) {
@@ -41,13 +46,14 @@ void draw_scene_choice(AppState &state) {
 void draw_strategy_choice(AppState &state) {
     const Strategy now = state.active_strategy();
     const bool cuts = cuts_along_curves(now), constant = is_constant(now);
+    gap(state, {"Meshing", "Uniform", "Discontinuity"}, em());
     label("Meshing");
     if (choice(state, "meshing.uniform", "Uniform", !cuts, "Splits a patch in four where the fit is poor."))
         set_strategy(state, strategy_of(false, constant));
     ImGui::SameLine(0, 1);
     if (choice(state, "meshing.discontinuity", "Discontinuity", cuts, "Cuts patches along shadow boundaries."))
         set_strategy(state, strategy_of(true, constant));
-    gap();
+    gap(state, {"Basis", "Constant", "Multiwavelet", "(d)"}, em());
     label("Basis");
     if (choice(state, "basis.constant", "Constant", constant, "One value a patch."))
         set_strategy(state, strategy_of(cuts, true));
@@ -62,10 +68,10 @@ void draw_strategy_choice(AppState &state) {
 
 void draw_tool_bar(AppState &state, const WindowRect &rect) {
     begin_panel("tool bar", rect);
+    state.tool_bar_rows = 1;
     draw_scene_choice(state);
-    gap();
     draw_strategy_choice(state);
-    gap();
+    gap(state, {"Panes", "1.", "2.", "2×2", "W.", "W.", "W."}, em());
     label("Panes");
     action_button(state, "view.single", "1", {em(1.8f), 0});
     ImGui::SameLine(0, 1);
@@ -78,16 +84,17 @@ void draw_tool_bar(AppState &state, const WindowRect &rect) {
     action_button(state, "view.flip", "\u21c4", {em(1.8f), 0});
     ImGui::SameLine(0, 1);
     action_button(state, "view.difference", "\u0394", {em(1.8f), 0});
-    gap();
+    gap(state, {"Keyhole"}, em());
     action_button(state, "view.keyhole");
-    ImGui::SameLine();
+    gap(state, {"Effects"}, em(0.5f));
     action_button(state, "view.effects");
-    ImGui::SameLine();
+    gap(state, {"Cases"}, em(0.5f));
     action_button(state, "view.hard_cases", "Cases");
-    ImGui::SameLine();
+    gap(state, {"Cost"}, em(0.5f));
     action_button(state, "view.cost", "Cost");
     const float help = em(1.9f), right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - help));
+    gap(state, {"?."}, em(0.5f));
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right - help));
     action_button(state, "help.keys", "?", {help, 0});
     ImGui::End();
 }

@@ -178,6 +178,19 @@ void draw_work(AppState &state) {
 
 void draw_transport(AppState &state, const WindowRect &rect) {
     begin_panel("transport", rect);
+    if (is_narrow(rect.width, em())) {
+        ImGui::SetCursorPosY(em(0.6f));
+        draw_buttons(state);
+        ImGui::SameLine(0, em(1));
+        draw_work(state);
+        const ImVec2 below(ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x, rect.y + em(3));
+        ImGui::SetCursorScreenPos(below);
+        const float whole = ImGui::GetContentRegionAvail().x;
+        draw_course(state, whole);
+        draw_splits(state, {below.x, below.y + em(1.8f)}, whole, em(1.1f));
+        ImGui::End();
+        return;
+    }
     ImGui::SetCursorPosY(0.5f * (rect.height - em(1.9f)));
     draw_buttons(state);
     ImGui::SameLine(0, em(1.2f));

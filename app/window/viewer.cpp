@@ -16,6 +16,7 @@
 #include "split_verbs.h"
 #include "truth_verbs.h"
 #include "verbs.h"
+#include "window/cut.h"
 #include "window/display_end.h"
 #include "window/end_signal.h"
 #include "window/save_state.h"
@@ -28,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 namespace penumbra {
@@ -370,6 +372,7 @@ void Viewer::draw_frame() {
     window_.begin_frame();
     keeper_.note_frame();
     state_.widgets.clear();
+    state_.cut.clear();
     state_.told = {};
     bring_splits(state_);
     if (!state_.panels_hidden)
@@ -427,6 +430,8 @@ void Viewer::draw_panels(const Arrangement &arrangement) {
     draw_picture_settings(state_);
     draw_help(state_);
     draw_palette(state_);
+    if (!setup_.state_file.empty())
+        std::ranges::move(cut_windows(), std::back_inserter(state_.cut));
     const bool held = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
     if (!held)
         note_changes(state_, Clock::now());
