@@ -95,7 +95,7 @@ void Viewer::begin_record() {
     try {
         recorder_.emplace(setup_.record, setup_.file_name, fresh, state_);
     } catch (const Unavailable &e) {
-        throw BadInput(std::string("--record: ") + e.what());
+        throw Unavailable(std::string("--record: ") + e.what());
     }
 }
 
