@@ -192,19 +192,19 @@ bool go_on(float space, float width) {
 }
 
 ButtonRow::ButtonRow(const std::vector<const char *> &texts) {
-    const float left = ImGui::GetContentRegionAvail().x;
+    const float left = ImGui::GetContentRegionAvail().x, least = 1.2f * ImGui::GetStyle().FramePadding.x;
     std::size_t begin = 0;
-    float taken = 0;
+    float taken = 0; // by the texts of a line
     const auto fill = [&](std::size_t end) {
         const auto n = static_cast<float>(end - begin);
         for (std::size_t i = begin; i < end; ++i)
-            places_[i].width *= (left - (n - 1)) / taken;
+            places_[i].width += (left - (n - 1) - taken) / n;
         begin = end;
         taken = 0;
     };
     for (const char *text : texts) {
-        const float width = button_width(text), gaps = static_cast<float>(places_.size() - begin);
-        const bool breaks = places_.size() > begin && taken + width + gaps > left;
+        const float width = ImGui::CalcTextSize(text).x, n = static_cast<float>(places_.size() - begin) + 1;
+        const bool breaks = n > 1 && taken + width + n * least + n - 1 > left;
         if (breaks)
             fill(places_.size());
         places_.push_back({width, breaks || places_.empty()});

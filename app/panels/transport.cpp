@@ -187,7 +187,7 @@ void draw_transport(AppState &state, const WindowRect &rect) {
         ImGui::SetCursorScreenPos(below);
         const float whole = ImGui::GetContentRegionAvail().x;
         draw_course(state, whole);
-        draw_splits(state, {below.x, below.y + em(1.8f)}, whole, em(1.1f));
+        draw_refinement(state, {below.x, below.y + em(1.8f)}, whole, em(1.1f));
         ImGui::End();
         return;
     }

@@ -121,7 +121,8 @@ TEST_F(Tooltips, EveryControlTellsASentence) {
     hover_all();
     press("ctrl+1");
     on_a_patch();
-    for (const auto &[name, box] : session.state()["widgets"].items()) // shown only while the mouse is there
+    const Json over_it = session.state(); // shown only while the mouse is there
+    for (const auto &[name, box] : over_it["widgets"].items())
         seen.insert(name);
     press("ctrl+o");
     hover_all();
