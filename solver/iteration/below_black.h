@@ -13,8 +13,8 @@ struct Darkness {
     Vec2 at = Vec2::Zero(); ///< where it is darkest
 };
 
-/// At 7 x 7 points of each of its tiles, which may pass over a minimum between them (seed 1261 of
-/// tests/stability/known_failures.txt); what is covered is left out. 0 and 1 where it is nowhere more than `aim` below.
+/// At 7 x 7 points of each of its tiles and, where its range allows that a minimum between these is too low, at 13 x 13 and
+/// downhill from there; what is covered is left out. 0 and 1 where it is nowhere more than `aim` below.
 Darkness below_black(const Scene &scene, const Element &leaf, const Coefficients &radiosity, double aim);
 
 } // namespace penumbra

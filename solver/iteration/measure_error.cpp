@@ -49,7 +49,7 @@ std::vector<std::vector<Rgb>> correction(const Setting &setting, const State &st
 double square(double x) { return x * x; }
 
 /// What an exact gather may be wrong by, of the error that is asked for.
-constexpr double gather_share = 1e-2;
+constexpr double gather_share = 0.1;
 
 } // namespace
 
@@ -83,9 +83,9 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
         if (!setting.one_bounce())
             e.upper *= left_out;
         const bool known = e.spread <= 0.5 * e.mean_square;
-        const bool far_above = e.mean_square - e.spread > square(2 * goal);
+        const bool above = e.mean_square - e.spread > square(goal);
         const bool far_below = e.upper < goal / 30; // below a tenth: more than was asked for, however much
-        if (known || far_above || far_below || batches.size() >= most_batches)
+        if (known || above || far_below || batches.size() >= most_batches)
             return e;
         if (e.noise > std::max(e.residual, 0.3 * goal)) {
             // The rays' noise is all that these points show.

@@ -18,7 +18,8 @@ bool is_exempt(const std::string &name) {
     if (name.starts_with("pane ") || name == "keyhole" || name == "profile plot")
         return true;
     // What lies under the mouse is told of only while it is in a pane: the mouse can't be on these at the same time.
-    if (name == "figure surface" || name == "figure patch" || name == "figure radiosity" || name == "figure reflectance")
+    if (name == "figure surface" || name == "figure patch" || name == "figure radiosity" || name == "figure reflectance" ||
+        name == "figure difference")
         return true;
     // Titles of menus open them; the palette writes its sentences out; the card is no control.
     return (name.starts_with("menu.") && std::isupper(static_cast<unsigned char>(name[5])) != 0) || name.starts_with("palette") ||
