@@ -36,7 +36,7 @@ const std::vector<Action> &list() {
 } // namespace
 
 bool has_scene(const AppState &s) { return s.scene != nullptr; }
-bool has_solution(const AppState &s) { return has_scene(s) && s.snapshot(s.active_strategy()); }
+bool has_solution(const AppState &s) { return has_scene(s) && s.active_solution(); }
 bool can_go_back(const AppState &s) { return s.position > 0; }
 
 std::string_view title(Menu menu) {

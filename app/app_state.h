@@ -97,7 +97,8 @@ struct TruthMode {
     std::string doing;                 ///< what is being found out, in words
     bool halted = false;               ///< nothing is found out until something is asked for again
     bool range_locked = false;         ///< look.error_range stays as it is
-    std::vector<std::uint64_t> ranged; ///< kind and versions that look.error_range was made for
+    /// Kind and versions that a pane's range of errors was made for; the first of all of them where they share one.
+    std::array<std::vector<std::uint64_t>, 4> ranged;
 };
 
 /// What of the profile's line the mouse holds.
@@ -152,7 +153,7 @@ struct ObjectsMode {
     int chosen = -1;                           ///< first surface of the object in hand; -1: none
     std::optional<Vec3> grabbed;               ///< point of it that the mouse holds, scene's own frame
     /// What was shown before a drag goes on being shown until the step that is asked for is there again.
-    std::array<std::shared_ptr<const Snapshot>, 4> shown_before;
+    std::array<std::shared_ptr<const Snapshot>, 4> shown_before; ///< by pane
 };
 
 /// All that a user sets, but the step: what undo brings back. See history.h.
@@ -166,6 +167,8 @@ struct Parameters {
     Look look;                            ///< its ranges only where they were chosen, without a spotlight
     std::optional<Camera> camera;         ///< none: nobody has moved it
     std::optional<std::array<Camera, 4>> pane_cameras; ///< none: linked
+    std::optional<std::array<Tone, 4>> pane_tones; ///< the active pane's as in `look`; none: linked
+    bool steps_unlinked = false;
     std::optional<SurfacePoint> keyhole;  ///< none: closed
     std::optional<std::pair<SurfacePoint, Vec3>> profile; ///< ends of its line; none: closed
     std::optional<int> pinned_curve;
@@ -227,7 +230,9 @@ struct AppState {
     std::optional<double> tolerance_in_hand; ///< while its slider is moved
 
     // Where it stands.
-    int position = 0;      ///< asked for, see timeline.h; equal in all panes
+    int position = 0;      ///< asked for, see timeline.h; the active pane's, and all others' unless these have their own
+    bool steps_unlinked = false;          ///< panes have their own, where there are several
+    std::array<int, 4> pane_positions{};  ///< of the panes that are not active
     bool playing = false;
     double phases_per_second = 2; ///< of playing
     std::optional<int> play_until; ///< position at which playing pauses; none: at the end
@@ -257,6 +262,8 @@ struct AppState {
     bool camera_moved = false;  ///< by the user
     bool cameras_unlinked = false;      ///< panes side by side have these, each its own; else all have the one above
     std::array<Camera, 4> pane_cameras;
+    bool tones_unlinked = false;    ///< panes side by side have their own exposure and ranges
+    std::array<Tone, 4> pane_tones; ///< of the panes that are not active; the active one's is in `look`
     double first_aspect = 1;    ///< pane_aspect that the first view was made for
     double pane_aspect = 1;     ///< width / height of a pane, in the last frame
     std::optional<Pick> under_cursor;
@@ -328,11 +335,24 @@ struct AppState {
     const Camera &camera_of(int pane) const { return has_own_cameras() ? pane_cameras[static_cast<std::size_t>(pane)] : camera; }
     Camera &camera_of(int pane) { return has_own_cameras() ? pane_cameras[static_cast<std::size_t>(pane)] : camera; }
     const Camera &active_camera() const { return camera_of(panes().active); }
+    bool has_own_tones() const { return tones_unlinked && n_places(layout) > 1; }
+    bool has_own_steps() const { return steps_unlinked && n_panes(layout) > 1; }
+    /// The position that a pane was asked to go to.
+    int asked_position(int pane) const {
+        return has_own_steps() && pane != panes().active ? pane_positions[static_cast<std::size_t>(pane)] : position;
+    }
+    Tone tone_of(int pane) const {
+        if (has_own_tones() && pane != panes().active)
+            return pane_tones[static_cast<std::size_t>(pane)];
+        return {look.exposure_ev, look.range, look.error_range, chosen_range.has_value(), truth.range_locked};
+    }
     /// The look with what the layout makes of it: a difference has its own.
     Look shown_look() const {
         return layout == Layout::difference ? look_at({panes().strategies[0], panes().strategies[1]}, look) : look;
     }
-    Strategy active_strategy() const { return panes().strategies[static_cast<std::size_t>(panes().active)]; }
+    Look look_of(int pane) const { return has_own_tones() ? with_tone(shown_look(), tone_of(pane)) : shown_look(); }
+    Strategy strategy_of(int pane) const { return panes().strategies[static_cast<std::size_t>(pane)]; }
+    Strategy active_strategy() const { return strategy_of(panes().active); }
     const Timeline &timeline(Strategy s) const { return timelines[static_cast<std::size_t>(s)]; }
     Timeline &timeline(Strategy s) { return timelines[static_cast<std::size_t>(s)]; }
     /// The strategies of the panes, from the upper left, row by row.
@@ -340,33 +360,36 @@ struct AppState {
         const auto &all = panes().strategies;
         return {all.begin(), all.begin() + n_panes(layout)};
     }
+    /// Those that `position` is asked of.
+    std::vector<Strategy> stepping() const { return has_own_steps() ? std::vector{active_strategy()} : shown(); }
     /// Where the active pane stands: short of `position` while that is being computed, or where its course ends sooner.
     int shown_position() const { return std::clamp(position, 0, std::max(0, timeline(active_strategy()).last())); }
-    /// Null before anything is known.
-    std::shared_ptr<const Snapshot> snapshot(Strategy s) const {
-        const auto &before = objects.shown_before[static_cast<std::size_t>(s)];
-        return before && !timeline(s).reached(position) ? before : timeline(s).at(position);
+    /// Of a pane's strategy, where the pane stands; null before anything is known.
+    std::shared_ptr<const Snapshot> solution(int pane) const {
+        const Timeline &course = timeline(strategy_of(pane));
+        const auto &before = objects.shown_before[static_cast<std::size_t>(pane)];
+        const bool stands_in = before && before->options.strategy == strategy_of(pane) && !course.reached(asked_position(pane));
+        return stands_in ? before : course.at(asked_position(pane));
     }
+    std::shared_ptr<const Snapshot> active_solution() const { return solution(panes().active); }
     /// What panes show: where we stand, or stood before the last step while that is asked for.
     bool shows_before() const { return before_by_key || before_by_mouse; }
-    Place shown_place() const; // split_verbs.cpp
+    Place shown_place(int pane) const; // split_verbs.cpp
     bool reconstructs(int pane) const {
-        const auto i = static_cast<std::size_t>(pane);
-        return panes().reconstructed[i] && is_constant(panes().strategies[i]);
+        return panes().reconstructed[static_cast<std::size_t>(pane)] && is_constant(strategy_of(pane));
     }
     /// What a pane shows: its strategy's solution, or what was reconstructed from it, if that is wanted and there.
     std::shared_ptr<const Snapshot> shown_snapshot(int pane) const {
-        const Place place = shown_place();
-        const Strategy strategy = panes().strategies[static_cast<std::size_t>(pane)];
-        const auto solution = shows_before() ? timeline(strategy).at(place.position) : snapshot(strategy);
-        if (!solution)
-            return solution;
+        const Place place = shown_place(pane);
+        const auto found_there = place.position == asked_position(pane) ? solution(pane) : timeline(strategy_of(pane)).at(place.position);
+        if (!found_there)
+            return found_there;
         if (!reconstructs(pane)) {
-            const auto found = split_snapshots.find(version_of(*solution, {place.split, place.linking}));
-            return found == split_snapshots.end() ? solution : found->second;
+            const auto found = split_snapshots.find(version_of(*found_there, {place.split, place.linking}));
+            return found == split_snapshots.end() ? found_there : found->second;
         }
-        const auto found = reconstructions.find(solution->version);
-        return found == reconstructions.end() ? solution : found->second;
+        const auto found = reconstructions.find(found_there->version);
+        return found == reconstructions.end() ? found_there : found->second;
     }
     /// Whether it shows constants until they are reconstructed.
     bool awaits_reconstruction(int pane) const {

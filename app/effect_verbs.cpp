@@ -17,7 +17,7 @@ void use(AppState &state, const EffectSwitches &effects, const std::string &sent
 } // namespace
 
 std::span<const LedgerEntry> effects_ledger(const AppState &state) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     return snapshot ? std::span(snapshot->effects) : std::span<const LedgerEntry>();
 }
 

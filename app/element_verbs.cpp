@@ -27,19 +27,19 @@ std::optional<Inspection> inspection(const AppState &state) {
     const ElementMode &mode = state.element;
     if (state.inspector != Inspector::element || !mode.at)
         return std::nullopt;
-    return Inspection{state.active_strategy(), {mode.at->surface, mode.at->point, mode.source, mode.line}};
+    return Inspection{{state.active_strategy(), state.position}, {mode.at->surface, mode.at->point, mode.source, mode.line}};
 }
 
 bool awaits_report(const AppState &state) {
     const auto asked = inspection(state);
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     const ElementMode &mode = state.element;
     return asked && snapshot && !state.halted &&
-           !(mode.strategy == asked->strategy && mode.answered == asked->question && mode.version == snapshot->version);
+           !(mode.strategy == asked->stand.strategy && mode.answered == asked->question && mode.version == snapshot->version);
 }
 
 const ElementReport *shown_report(const AppState &state) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     const ElementMode &mode = state.element;
     const bool of_this = snapshot && mode.strategy == state.active_strategy() && mode.version == snapshot->version;
     return of_this ? mode.shown.get() : nullptr;

@@ -2,6 +2,7 @@
 
 #include "keyhole_verbs.h"
 #include "move_verbs.h"
+#include "pane_verbs.h"
 #include "profile_verbs.h"
 #include "verbs.h"
 
@@ -22,20 +23,42 @@ bool differ_by_camera_alone(const Parameters &a, Parameters b) {
     return a == b;
 }
 
+/// Of all panes, without the ranges that follow what is shown.
+std::array<Tone, 4> chosen_tones(const AppState &state) {
+    std::array<Tone, 4> tones = state.pane_tones;
+    if (state.has_own_tones())
+        tones[static_cast<std::size_t>(state.panes().active)] = state.tone_of(state.panes().active);
+    for (Tone &tone : tones) {
+        if (!tone.range_chosen)
+            tone.range.reset();
+        if (!tone.error_range_locked)
+            tone.error_range.reset();
+    }
+    return tones;
+}
+
 void put_back(AppState &state, const Parameters &p) {
     if (p.scene != state.scene)
         set_moves(state, p.scene, p.moves);
     if (p.options != state.options)
         start_again(state, p.options);
+    put_away_own(state);
     state.layout = p.layout;
     state.pane_sets = p.pane_sets;
     state.wipe = p.wipe;
+    if (p.steps_unlinked && !state.steps_unlinked)
+        state.pane_positions.fill(state.position);
+    state.steps_unlinked = p.steps_unlinked;
+    state.tones_unlinked = false; // this step's own follow
+    take_up_own(state);
     const Look shown = std::exchange(state.look, p.look);
     state.chosen_range = p.look.range;
     if (!p.look.range)
         state.look.range = shown.range; // follows what is shown
     state.truth.range_locked = p.look.error_range.has_value();
-    state.truth.ranged.clear();
+    state.truth.ranged = {};
+    state.tones_unlinked = p.pane_tones.has_value();
+    state.pane_tones = p.pane_tones.value_or(state.pane_tones);
     state.camera_is_set = state.camera_moved = p.camera.has_value();
     if (p.camera)
         state.camera = *p.camera;
@@ -80,6 +103,9 @@ Parameters parameters(const AppState &state) {
         p.camera = state.camera;
     if (state.cameras_unlinked)
         p.pane_cameras = state.pane_cameras;
+    if (state.tones_unlinked)
+        p.pane_tones = chosen_tones(state);
+    p.steps_unlinked = state.steps_unlinked;
     if (state.keyhole.open && state.keyhole.seen)
         p.keyhole = SurfacePoint{state.keyhole.seen->surface.index, state.keyhole.seen->point};
     if (state.profile.open && state.profile.line)
@@ -124,8 +150,8 @@ std::string change_words(const Parameters &a, const Parameters &b) {
     };
     say(a.scene != b.scene, "where things are");
     say(a.options != b.options, "the options");
-    say(a.layout != b.layout || a.pane_sets != b.pane_sets || a.wipe != b.wipe, "the panes");
-    say(a.look != b.look || a.legend_hidden != b.legend_hidden, "what is shown");
+    say(a.layout != b.layout || a.pane_sets != b.pane_sets || a.wipe != b.wipe || a.steps_unlinked != b.steps_unlinked, "the panes");
+    say(a.look != b.look || a.pane_tones != b.pane_tones || a.legend_hidden != b.legend_hidden, "what is shown");
     say(a.camera != b.camera || a.pane_cameras != b.pane_cameras, "the view");
     say(a.keyhole != b.keyhole, "the keyhole");
     say(a.profile != b.profile, "the profile");

@@ -45,7 +45,7 @@ double area_of(const SnapshotSurface &s) { return role(s) == SurfaceRole::reflec
 } // namespace
 
 void move_keyhole(AppState &state, int surface, const Vec3 &point) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!snapshot || !state.scene || !state.scene->reflects(SurfaceId(surface)))
         return;
     KeyholeMode &mode = state.keyhole;
@@ -66,7 +66,7 @@ void toggle_keyhole(AppState &state) {
     state.keyhole.open = !state.keyhole.open;
     state.keyhole.crossed = -1;
     state.profile.open = state.profile.open && !state.keyhole.open; // both are dragged
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!state.keyhole.open || !snapshot)
         return;
     state.message = {"Drag the point over a surface: the inset shows what it sees of each light.", false};

@@ -71,7 +71,7 @@ void step_outward(AppState &state, int by) {
 
 void update_microscope(AppState &state) {
     Microscope &m = state.microscope;
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!snapshot) {
         m.shown.reset();
         return;

@@ -26,9 +26,9 @@ ObjectMove move_in_hand(const AppState &state) {
 
 void set_moves(AppState &state, std::shared_ptr<const Scene> scene, const std::vector<ObjectMove> &moves) {
     ObjectsMode &mode = state.objects;
-    for (const Strategy s : state.shown())
-        if (auto now = state.snapshot(s))
-            mode.shown_before[static_cast<std::size_t>(s)] = std::move(now);
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (auto now = state.solution(pane))
+            mode.shown_before[static_cast<std::size_t>(pane)] = std::move(now);
     mode.moves = moves;
     replace_scene(state, std::move(scene));
 }

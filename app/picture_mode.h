@@ -37,7 +37,7 @@ struct PendingPicture {
     std::vector<Strategy> strategies;
     std::vector<bool> reconstructed; ///< by pane
     Layout layout{};                 ///< that has so many panes
-    int position = 0;
+    std::vector<int> positions;      ///< by pane
     std::filesystem::path file; ///< empty: the next numbered name
     std::string title;          ///< "Picture 3 of 12"
 };

@@ -44,7 +44,7 @@ void compare_meshings(AppState &state) {
                    .strategies = {strategy_of(false, constant), strategy_of(true, constant)},
                    .reconstructed = {false, false},
                    .layout = Layout::two,
-                   .position = state.shown_position(),
+                   .positions = {state.shown_position(), state.shown_position()},
                    .file = {},
                    .title = "Picture of both meshings"}});
 }
@@ -60,17 +60,27 @@ void picture_all_steps(AppState &state) {
         state.message = {e.what(), true};
         return;
     }
-    PendingPicture picture{
-        .run = state.run, .strategies = {}, .reconstructed = {}, .layout = state.layout, .file = {}, .title = {}};
+    PendingPicture picture{.run = state.run,
+                           .strategies = {},
+                           .reconstructed = {},
+                           .layout = state.layout,
+                           .positions = {},
+                           .file = {},
+                           .title = {}};
+    std::vector<bool> steps; // or stays at a step of its own
     for (const int pane : pictured_panes(state)) {
-        picture.strategies.push_back(state.panes().strategies[static_cast<std::size_t>(pane)]);
+        picture.strategies.push_back(state.strategy_of(pane));
         picture.reconstructed.push_back(state.reconstructs(pane));
+        picture.positions.push_back(state.asked_position(pane));
+        steps.push_back(!state.has_own_steps() || pane == state.panes().active);
     }
     if (picture.strategies.size() == 1)
         picture.layout = Layout::single;
     std::deque<PendingPicture> all;
     for (int step = 0; step < n; ++step) {
-        picture.position = std::min(step_position(step), last);
+        for (std::size_t pane = 0; pane < steps.size(); ++pane)
+            if (steps[pane])
+                picture.positions[pane] = std::min(step_position(step), last);
         picture.file = folder / fmt::format("step-{:0{}}.png", step, digits);
         picture.title = fmt::format("Picture {} of {}", step + 1, n);
         all.push_back(picture);
@@ -87,9 +97,10 @@ void drop_pictures(AppState &state) {
 
 std::shared_ptr<const Snapshot> pictured(const AppState &state, const PendingPicture &picture, std::size_t pane) {
     const Strategy strategy = picture.strategies[pane];
-    if (!is_there(state, strategy, picture.position))
+    const int position = picture.positions[pane];
+    if (!is_there(state, strategy, position))
         return nullptr;
-    auto solution = state.timeline(strategy).at(picture.position);
+    auto solution = state.timeline(strategy).at(position);
     if (!picture.reconstructed[pane])
         return solution;
     const auto found = state.reconstructions.find(solution->version);
@@ -139,12 +150,14 @@ std::optional<Goal> picture_goal(const AppState &state) {
     if (state.pictures.pending.empty() || !state.scene)
         return std::nullopt;
     const PendingPicture &picture = state.pictures.pending.front();
-    Goal goal{picture.run, state.scene, state.options, picture.strategies, picture.position};
+    Goal goal{picture.run, state.scene, state.options};
     bool wanted = false;
     for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane) {
+        const Stand stand{picture.strategies[pane], picture.positions[pane]};
         wanted |= !pictured(state, picture, pane);
+        goal.stands.push_back(stand);
         if (picture.reconstructed[pane])
-            goal.reconstructed.push_back(picture.strategies[pane]);
+            goal.reconstructed.push_back(stand);
     }
     return wanted && picture.run == state.run ? std::optional(std::move(goal)) : std::nullopt;
 }
@@ -164,9 +177,9 @@ std::string picture_progress(const AppState &state) {
         return {};
     const PendingPicture &picture = state.pictures.pending.front();
     for (std::size_t pane = 0; pane < picture.strategies.size(); ++pane)
-        if (const Strategy strategy = picture.strategies[pane]; !is_there(state, strategy, picture.position))
+        if (const Strategy strategy = picture.strategies[pane]; !is_there(state, strategy, picture.positions[pane]))
             return fmt::format("{}: ({}) is being solved up to step {} first; it has come to step {}. Esc gives it up.",
-                               picture.title, letter(strategy), iteration_of(picture.position),
+                               picture.title, letter(strategy), iteration_of(picture.positions[pane]),
                                iteration_of(std::max(0, state.timeline(strategy).last())));
     return picture.title + (readiness(state, picture) == Readiness::waiting ? ": its errors are being measured first. "
                                                                             : "; ") +

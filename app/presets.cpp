@@ -1,5 +1,6 @@
 #include "presets.h"
 
+#include "pane_verbs.h"
 #include "verbs.h"
 
 namespace penumbra {
@@ -11,8 +12,12 @@ constexpr double lecture_scale = 1.5;
 /// The present strategy stays the active pane's.
 void begin(AppState &state, Layout layout, bool panels, double scale, Theme theme, bool links) {
     const Strategy now = state.active_strategy();
-    if (state.has_own_cameras())
-        toggle_cameras(state); // panes are to be compared
+    if (state.has_own_cameras()) // panes are to be compared
+        toggle_cameras(state);
+    if (state.has_own_tones())
+        toggle_tones(state);
+    if (state.has_own_steps())
+        toggle_steps(state);
     set_layout(state, layout);
     if (layout == Layout::single)
         state.panes().strategies[0] = now;

@@ -1,6 +1,7 @@
 #include "price_verbs.h"
 
 #include "iteration/solver.h"
+#include "pane_verbs.h"
 #include "verbs.h"
 
 #include <algorithm>
@@ -19,11 +20,13 @@ bool differ_in_accuracy_alone(const Options &a, const Options &b) {
 
 std::vector<LiveRun> live_runs(const AppState &state) {
     std::vector<LiveRun> runs;
-    const std::vector<Strategy> shown = state.shown();
     for (const Strategy s : all_strategies) {
         const Timeline &timeline = state.timeline(s);
-        const bool in_a_pane = std::ranges::find(shown, s) != shown.end();
-        LiveRun run{priced_states(timeline), in_a_pane ? std::min(state.position, timeline.last()) : -1, false};
+        int here = -1;
+        for (int pane = n_panes(state.layout) - 1; pane >= 0; --pane)
+            if (state.strategy_of(pane) == s && (here < 0 || pane == state.panes().active))
+                here = std::min(state.asked_position(pane), timeline.last());
+        LiveRun run{priced_states(timeline), here, false};
         if (!run.states.empty())
             runs.push_back(std::move(run));
     }
@@ -45,7 +48,7 @@ void go_to_priced(AppState &state, const PricedState &priced, bool earlier) {
     if (pane == shown.end())
         set_strategy(state, priced.options.strategy);
     else
-        state.panes().active = static_cast<int>(pane - shown.begin());
+        activate(state, static_cast<int>(pane - shown.begin()));
     go_to(state, priced.position);
 }
 
@@ -79,8 +82,8 @@ void ask_for_tolerance(AppState &state, const Options &options) {
 
 std::vector<std::shared_ptr<const Snapshot>> compared(const AppState &state) {
     std::vector<std::shared_ptr<const Snapshot>> snapshots;
-    for (const Strategy s : state.shown())
-        if (auto snapshot = state.snapshot(s))
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (auto snapshot = state.solution(pane))
             snapshots.push_back(std::move(snapshot));
     return snapshots;
 }

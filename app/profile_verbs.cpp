@@ -37,7 +37,7 @@ void toggle_profile(AppState &state) {
         return;
     state.keyhole.open = false;
     state.truth.halted = false;
-    if (const auto snapshot = state.snapshot(state.active_strategy()); snapshot && !mode.line)
+    if (const auto snapshot = state.active_solution(); snapshot && !mode.line)
         cross_middle(state, *snapshot);
     state.message = {"Drag a line over a surface, or an end of it; the plot follows.", false};
 }
@@ -74,7 +74,7 @@ void update_profile(AppState &state) {
 
 std::optional<ProfileQuestion> profile_question(const AppState &state) {
     const ProfileMode &mode = state.profile;
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!mode.open || !mode.line || !mode.exact.empty() || !snapshot)
         return std::nullopt;
     return ProfileQuestion{mode.asked, *mode.line, snapshot->surfaces[static_cast<std::size_t>(mode.line->surface)],

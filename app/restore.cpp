@@ -56,6 +56,10 @@ void restore(AppState &state, const SavedState &saved) {
     state.camera_is_set = state.camera_moved = saved.camera.has_value();
     state.cameras_unlinked = !saved.cameras.empty();
     std::copy_n(saved.cameras.begin(), std::min(saved.cameras.size(), state.pane_cameras.size()), state.pane_cameras.begin());
+    state.tones_unlinked = !saved.tones.empty();
+    std::copy_n(saved.tones.begin(), std::min(saved.tones.size(), state.pane_tones.size()), state.pane_tones.begin());
+    state.steps_unlinked = !saved.positions.empty();
+    std::copy_n(saved.positions.begin(), std::min(saved.positions.size(), state.pane_positions.size()), state.pane_positions.begin());
     state.pivot.reset();
     state.look = saved.look;
     state.look.spotlight = {};
@@ -71,6 +75,7 @@ void restore(AppState &state, const SavedState &saved) {
     if (saved.look.spotlight.curve >= 0)
         state.pinned_curve = saved.look.spotlight.curve;
     state.truth.range_locked = saved.error_range_locked && saved.look.error_range;
+    state.truth.ranged = {};
     state.caption = saved.caption;
     if (!saved.bookmarks.empty()) {
         state.bookmarks = saved.bookmarks;
@@ -98,12 +103,12 @@ void bring_back(AppState &state, const SavedState &saved) {
     restore(state, saved);
     state.options.strategy = options.strategy;
     find_what_was_restored(state, state.active_strategy());
-    if (state.snapshot(state.active_strategy()))
+    if (state.active_solution())
         state.message = {state.caption, false};
 }
 
 void find_what_was_restored(AppState &state, Strategy strategy) {
-    const auto snapshot = state.snapshot(strategy);
+    const auto snapshot = state.active_solution();
     if (!snapshot || strategy != state.active_strategy())
         return;
     // Curves of reflectors come with later steps.

@@ -15,7 +15,7 @@ bool at_rest(const AppState &state) {
     if (!state.scene)
         return true;
     for (int pane = 0; pane < n_panes(state.layout); ++pane)
-        if (!state.halted && (!state.timeline(state.panes().strategies[static_cast<std::size_t>(pane)]).reached(state.position) ||
+        if (!state.halted && (!state.timeline(state.strategy_of(pane)).reached(state.asked_position(pane)) ||
                               state.awaits_reconstruction(pane)))
             return false;
     const TruthGoal wanted = truth_goal(state);

@@ -191,6 +191,57 @@ void show_cameras(Lines &lines, const Parameters &a, const Parameters &b) {
         pass();
 }
 
+std::string tone_line(const Tone &from, const Tone &to) {
+    OptionLine show{"show"};
+    if (from.exposure_ev != to.exposure_ev)
+        show.add("exposure", text(to.exposure_ev));
+    if (to.range && from.range != to.range)
+        show.add("range", text(*to.range));
+    if (to.error_range && from.error_range != to.error_range)
+        show.add("error-range", text(*to.error_range));
+    Lines lines;
+    show.end(lines);
+    return lines.empty() ? std::string() : lines.front();
+}
+
+/// Exposure and ranges of the panes that are not active, where they have their own, gone through once and back.
+void show_tones(Lines &lines, const Parameters &a, const Parameters &b) {
+    const int n = n_places(b.layout);
+    if (n == 1)
+        return;
+    if (a.pane_tones.has_value() != b.pane_tones.has_value())
+        lines.emplace_back("view.unlink_tones");
+    if (!b.pane_tones)
+        return;
+    const auto active = static_cast<std::size_t>(b.pane_sets[pane_set_of(b.layout)].active);
+    int passed = 0;
+    const auto pass = [&] {
+        if (passed > 0)
+            lines.push_back(passed == 1 ? "view.next_pane" : fmt::format("view.next_pane {}", passed));
+        passed = 0;
+    };
+    bool any = false;
+    for (int k = 1; k < n; ++k) {
+        ++passed;
+        const auto pane = (active + static_cast<std::size_t>(k)) % static_cast<std::size_t>(n);
+        const Tone &from = a.pane_tones ? (*a.pane_tones)[pane] : (*b.pane_tones)[active], &to = (*b.pane_tones)[pane];
+        const bool unlocks = from.range_chosen && !to.range_chosen;
+        const std::string line = tone_line(from, to);
+        if (line.empty() && !unlocks)
+            continue;
+        pass();
+        any = true;
+        if (unlocks)
+            lines.emplace_back("layers.lock_range");
+        if (!line.empty())
+            lines.push_back(line);
+    }
+    if (any) {
+        ++passed;
+        pass();
+    }
+}
+
 void show_look(Lines &lines, const Scripted &a, const Scripted &b) {
     const Look &from = a.set.look, &to = b.set.look;
     const bool unlocks = from.range && !to.range, unlocks_errors = from.error_range && !to.error_range && from.error == to.error;
@@ -219,6 +270,7 @@ void show_look(Lines &lines, const Scripted &a, const Scripted &b) {
     show.end(lines);
     if (a.set.pinned_curve && !b.set.pinned_curve)
         lines.emplace_back("unpin");
+    show_tones(lines, a.set, b.set);
     show_cameras(lines, a.set, b.set);
     if (b.pivot && a.pivot != b.pivot)
         lines.push_back("pivot " + triple(*b.pivot));
@@ -312,6 +364,8 @@ std::vector<std::string> lines_between(const Scripted &from, const Scripted &to)
     move_objects(lines, a, to);
     set_options(lines, a, to);
     choose_panes(lines, a, to);
+    if (a.set.steps_unlinked != to.set.steps_unlinked && n_panes(to.set.layout) > 1)
+        lines.emplace_back("view.unlink_steps");
     if (a.speed != to.speed)
         lines.push_back("speed " + text(to.speed));
     if (a.place != to.place)

@@ -10,7 +10,8 @@ namespace {
 
 auto parts(auto &s) {
     auto &p = s.set;
-    return std::tie(p.moves, p.options, p.layout, p.pane_sets, p.wipe, p.look, p.camera, p.pane_cameras, p.keyhole, p.profile, p.pinned_curve,
+    return std::tie(p.moves, p.options, p.layout, p.pane_sets, p.wipe, p.look, p.camera, p.pane_cameras, p.pane_tones,
+                    p.steps_unlinked, p.keyhole, p.profile, p.pinned_curve,
                     p.legend_hidden, s.place, s.speed, s.caption, s.inspector, s.element, s.split, s.outward, s.piece,
                     s.source, s.xray, s.object, s.cost, s.pivot, s.pictures, s.picture_settings, s.help, s.panels_hidden,
                     s.animates_splits, s.bookmarks, s.bookmark);

@@ -20,8 +20,10 @@ namespace {
 bool can_go_on(const AppState &s) { return has_scene(s) && !at_end(s); }
 /// Between two phases the worker is not busy for a moment, but has its goal still before it.
 bool is_under_way(const AppState &s) {
-    return has_scene(s) && !s.halted &&
-           std::ranges::any_of(s.shown(), [&](Strategy strategy) { return !s.timeline(strategy).reached(s.position); });
+    for (int pane = 0; pane < n_panes(s.layout); ++pane)
+        if (has_scene(s) && !s.halted && !s.timeline(s.strategy_of(pane)).reached(s.asked_position(pane)))
+            return true;
+    return false;
 }
 bool can_cancel(const AppState &s) { return s.busy || s.playing || !s.opening.empty() || is_under_way(s); }
 

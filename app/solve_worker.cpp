@@ -100,23 +100,23 @@ std::optional<SolveWorker::Task> SolveWorker::next_task() const {
     if (auto inspection = next_inspection())
         return inspection;
     std::optional<Task> next;
-    for (const Strategy strategy : goal_->strategies) {
-        const Course &course = courses_[static_cast<std::size_t>(strategy)];
+    for (const Stand &stand : goal_->stands) {
+        const Course &course = courses_[static_cast<std::size_t>(stand.strategy)];
         const bool known = run_ == goal_->run;
         const int position = known ? course.position : -1;
-        const bool done = known && (course.ended || position >= goal_->position);
+        const bool done = known && (course.ended || position >= stand.position);
         if (!done && (!next || position + 1 < next->position))
-            next = Task{*goal_, strategy, position + 1};
+            next = Task{*goal_, stand.strategy, position + 1};
     }
     return next ? next : next_reconstruction();
 }
 
 std::optional<SolveWorker::Task> SolveWorker::next_reconstruction() const {
-    for (const Strategy strategy : goal_->reconstructed) {
-        const Course &course = courses_[static_cast<std::size_t>(strategy)];
-        const int position = std::min(goal_->position, static_cast<int>(course.moments.size()) - 1);
+    for (const Stand &stand : goal_->reconstructed) {
+        const Course &course = courses_[static_cast<std::size_t>(stand.strategy)];
+        const int position = std::min(stand.position, static_cast<int>(course.moments.size()) - 1);
         if (position >= 0 && !course.moments[static_cast<std::size_t>(position)].reconstructed)
-            return Task{*goal_, strategy, position, Kind::reconstruct};
+            return Task{*goal_, stand.strategy, position, Kind::reconstruct};
     }
     return std::nullopt;
 }
@@ -124,9 +124,9 @@ std::optional<SolveWorker::Task> SolveWorker::next_reconstruction() const {
 std::optional<SolveWorker::Task> SolveWorker::next_inspection() const {
     if (!goal_->inspected || run_ != goal_->run)
         return std::nullopt;
-    const Strategy strategy = goal_->inspected->strategy;
+    const auto &[strategy, wanted] = goal_->inspected->stand;
     const auto &moments = courses_[static_cast<std::size_t>(strategy)].moments;
-    const int position = std::min(goal_->position, static_cast<int>(moments.size()) - 1);
+    const int position = std::min(wanted, static_cast<int>(moments.size()) - 1);
     if (position < 0 || (answered_ && answered_->asked == *goal_->inspected &&
                          answered_->version == moments[static_cast<std::size_t>(position)].version))
         return std::nullopt;
@@ -134,14 +134,14 @@ std::optional<SolveWorker::Task> SolveWorker::next_inspection() const {
 }
 
 bool SolveWorker::still_wanted(const Task &task) const {
+    if (!goal_ || goal_->run != task.goal.run)
+        return false;
+    const auto reaches = [&](const Stand &stand) { return stand.strategy == task.strategy && stand.position >= task.position; };
     if (task.kind == Kind::inspect)
-        return goal_ && goal_->run == task.goal.run && goal_->position == task.goal.position &&
-               goal_->inspected == task.goal.inspected;
+        return goal_->inspected == task.goal.inspected;
     if (task.kind == Kind::reconstruct)
-        return goal_ && goal_->run == task.goal.run && goal_->position == task.goal.position &&
-               std::ranges::find(goal_->reconstructed, task.strategy) != goal_->reconstructed.end();
-    return goal_ && goal_->run == task.goal.run && goal_->position >= task.position &&
-           std::ranges::find(goal_->strategies, task.strategy) != goal_->strategies.end();
+        return goal_->reconstructed == task.goal.reconstructed;
+    return std::ranges::any_of(goal_->stands, reaches);
 }
 
 void SolveWorker::advance(const Task &task) {

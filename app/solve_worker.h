@@ -21,9 +21,17 @@
 
 namespace penumbra {
 
-/// About an element of one strategy's solution, at the position where that stands.
-struct Inspection {
+/// Where a strategy's solution is wanted: phases from the start, see timeline.h.
+struct Stand {
     Strategy strategy{};
+    int position = 0;
+
+    bool operator==(const Stand &) const = default;
+};
+
+/// About an element of a strategy's solution where that stands, or where it ends before.
+struct Inspection {
+    Stand stand;
     ElementQuestion question;
 
     bool operator==(const Inspection &) const = default;
@@ -34,14 +42,13 @@ struct Goal {
     std::uint64_t run = 0;            ///< another number: start anew
     std::shared_ptr<const Scene> scene;
     Options options;                  ///< of the run; its strategy is not looked at
-    std::vector<Strategy> strategies; ///< those that are shown
-    int position = 0;                 ///< phases from the start, see timeline.h
-    std::vector<Strategy> reconstructed{}; ///< those whose constants are drawn as quadratics there
+    std::vector<Stand> stands{};        ///< of the panes
+    std::vector<Stand> reconstructed{}; ///< those of them whose constants are drawn as quadratics
     std::optional<Inspection> inspected{}; ///< answered between two phases, at each position
 
     bool operator==(const Goal &o) const {
-        return run == o.run && scene == o.scene && strategies == o.strategies && position == o.position &&
-               reconstructed == o.reconstructed && inspected == o.inspected;
+        return run == o.run && scene == o.scene && stands == o.stands && reconstructed == o.reconstructed &&
+               inspected == o.inspected;
     }
 };
 

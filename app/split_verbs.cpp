@@ -16,7 +16,7 @@ constexpr double longest_animation = 1; ///< of one refinement's splits [s]
 bool is_there(const AppState &state) { return state.timeline(state.active_strategy()).last() >= state.position; }
 
 const std::vector<SnapshotEvent> &events(const AppState &state) {
-    return *state.snapshot(state.active_strategy())->events;
+    return *state.active_solution()->events;
 }
 
 /// The first refinement after the position.
@@ -27,7 +27,7 @@ constexpr int next_refinement(int position) {
 } // namespace
 
 int n_splits(const AppState &state) {
-    return is_there(state) ? n_events(*state.snapshot(state.active_strategy())) : 0;
+    return is_there(state) ? n_events(*state.active_solution()) : 0;
 }
 
 std::optional<int> shown_splits(const AppState &state) {
@@ -36,7 +36,7 @@ std::optional<int> shown_splits(const AppState &state) {
 }
 
 int n_linkings(const AppState &state) {
-    return is_there(state) ? n_linkings(*state.snapshot(state.active_strategy())) : 0;
+    return is_there(state) ? n_linkings(*state.active_solution()) : 0;
 }
 
 std::optional<int> shown_linkings(const AppState &state) {
@@ -59,7 +59,7 @@ void show_linkings(AppState &state, int k) {
     state.linking = k;
     state.fresh_since = Clock::now();
     if (const auto shown = shown_linkings(state))
-        state.message = {(*state.snapshot(state.active_strategy())->linkings)[static_cast<std::size_t>(*shown - 1)].sentence, false};
+        state.message = {(*state.active_solution()->linkings)[static_cast<std::size_t>(*shown - 1)].sentence, false};
 }
 
 void next_linking(AppState &state) {
@@ -167,8 +167,8 @@ void begin_animation(AppState &state) {
 void bring_splits(AppState &state) {
     std::map<std::uint64_t, std::shared_ptr<const Snapshot>> wanted;
     for (int pane = 0; pane < n_panes(state.layout); ++pane) {
-        const Place place = state.shown_place();
-        const auto whole = state.timeline(state.panes().strategies[static_cast<std::size_t>(pane)]).at(place.position);
+        const Place place = state.shown_place(pane);
+        const auto whole = state.timeline(state.strategy_of(pane)).at(place.position);
         const RefinementPart part{place.split, place.linking};
         if (!whole || version_of(*whole, part) == whole->version)
             continue;
@@ -179,7 +179,9 @@ void bring_splits(AppState &state) {
     state.split_snapshots = std::move(wanted);
 }
 
-Place AppState::shown_place() const {
+Place AppState::shown_place(int pane) const {
+    if (has_own_steps() && pane != panes().active)
+        return {asked_position(pane)};
     return shows_before() ? place_before(*this) : Place{position, split, linking};
 }
 

@@ -89,7 +89,7 @@ void turn_tour(AppState &state, int by) {
     state.tour.card = std::clamp(state.tour.card + by, 0, static_cast<int>(std::size(cards)) - 1);
 }
 
-bool can_show(const AppState &state) { return state.snapshot(state.active_strategy()) != nullptr; }
+bool can_show(const AppState &state) { return state.active_solution() != nullptr; }
 
 void show_card(AppState &state) {
     const TourCard &card = cards[static_cast<std::size_t>(state.tour.card)];

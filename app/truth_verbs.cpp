@@ -1,6 +1,7 @@
 #include "truth_verbs.h"
 
 #include "iteration/error_map.h"
+#include "pane_verbs.h"
 #include "picture_verbs.h"
 #include "profile_verbs.h"
 #include "render/error_scale.h"
@@ -106,14 +107,18 @@ std::optional<Rgb> difference_under_cursor(const AppState &state) {
     return Rgb(pick.radiosity - radiosity(*minus, minus->patches[static_cast<std::size_t>(patch)], p));
 }
 
-void update_error_range(AppState &state) {
-    const Look look = state.shown_look();
-    if (look.shading != Shading::error || (state.truth.range_locked && state.look.error_range))
+namespace {
+
+/// One range for the errors of these panes.
+void update_error_range(AppState &state, const std::vector<int> &panes, std::vector<std::uint64_t> &ranged) {
+    Tone tone = state.tone_of(panes.front());
+    if (tone.error_range_locked && tone.error_range)
         return;
+    const ErrorKind kind = state.shown_look().error;
     std::vector<Judged> judged;
-    std::vector<std::uint64_t> versions{static_cast<std::uint64_t>(look.error)};
+    std::vector<std::uint64_t> versions{static_cast<std::uint64_t>(kind)};
     std::vector<std::shared_ptr<const void>> kept;
-    for (const int pane : judged_panes(state)) {
+    for (const int pane : panes) {
         const auto map = errors_of(state, pane);
         const auto snapshot = state.shown_snapshot(pane);
         if (!map)
@@ -124,17 +129,28 @@ void update_error_range(AppState &state) {
         versions.push_back(map->change ? 1 + static_cast<std::uint64_t>(map->change->effect) : 0);
         kept.insert(kept.end(), {snapshot, map});
     }
-    if (state.look.error_range && versions == state.truth.ranged)
+    if (tone.error_range && versions == ranged)
         return;
-    state.look.error_range = error_range(look.error, judged);
-    state.truth.ranged = std::move(versions);
+    tone.error_range = error_range(kind, judged);
+    set_tone(state, panes.front(), tone);
+    ranged = std::move(versions);
+}
+
+} // namespace
+
+void update_error_ranges(AppState &state) {
+    if (state.shown_look().shading != Shading::error)
+        return;
+    if (!state.has_own_tones())
+        update_error_range(state, judged_panes(state), state.truth.ranged.front());
+    else
+        for (const int pane : judged_panes(state))
+            update_error_range(state, {pane}, state.truth.ranged[static_cast<std::size_t>(pane)]);
 }
 
 void show_errors(AppState &state, ErrorKind kind) {
-    if (state.look.error != kind) {
-        state.look.error_range.reset();
-        state.truth.range_locked = false;
-    }
+    if (state.look.error != kind)
+        forget_error_ranges(state);
     state.look.error = kind;
     state.look.shading = Shading::error;
     state.truth.halted = false;

@@ -18,7 +18,7 @@ std::shared_ptr<const Snapshot> subtracted(const AppState &state);
 /// What the picture of a difference shows under the mouse, by channel [W/m2]; none: no such picture, or nothing there.
 std::optional<Rgb> difference_under_cursor(const AppState &state);
 /// Equal in all panes: unless it is locked it follows what they show, as soon as all of it is known.
-void update_error_range(AppState &state);
+void update_error_ranges(AppState &state);
 /// Shows this kind of error. The range of another kind is let go.
 void show_errors(AppState &state, ErrorKind kind);
 /// Keeps the range through steps and strategies, or lets it follow them again.

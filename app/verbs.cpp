@@ -19,20 +19,20 @@ namespace penumbra {
 
 namespace {
 
-/// The last position at which any shown solution still changes, when all of them have ended.
+/// The last position at which any solution that steps still changes, when all of them have ended.
 int end_position(const AppState &state) {
     int end = 0;
-    for (const Strategy s : state.shown())
+    for (const Strategy s : state.stepping())
         end = std::max(end, state.timeline(s).last());
     return end;
 }
 
 bool all_ended(const AppState &state) {
-    return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.timeline(s).ended; });
+    return std::ranges::all_of(state.stepping(), [&](Strategy s) { return state.timeline(s).ended; });
 }
 
 bool all_reached(const AppState &state) {
-    return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.timeline(s).reached(state.position); });
+    return std::ranges::all_of(state.stepping(), [&](Strategy s) { return state.timeline(s).reached(state.position); });
 }
 
 std::string end_sentence(const AppState &state) {
@@ -50,8 +50,16 @@ void tell(AppState &state) {
         show_splits(state, *k);
     else if (const auto linking = shown_linkings(state))
         show_linkings(state, *linking);
-    else if (const auto snapshot = state.snapshot(state.active_strategy()))
+    else if (const auto snapshot = state.active_solution())
         state.message = {snapshot->sentence, false};
+}
+
+/// Panes at other steps than the active one, which were sent farther than their solution goes.
+void come_to_its_end(AppState &state, Strategy strategy) {
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (int &position = state.pane_positions[static_cast<std::size_t>(pane)];
+            state.steps_unlinked && pane != state.panes().active && state.strategy_of(pane) == strategy)
+            position = std::min(position, state.timeline(strategy).last());
 }
 
 void start_anew(AppState &state) {
@@ -87,6 +95,7 @@ void apply(AppState &state, const Opened &opened) {
     state.prices = {};
     if (!same)
         state.camera_is_set = state.cameras_unlinked = false;
+    state.steps_unlinked = state.tones_unlinked = false;
     forget_changes(state);
     const std::vector<std::string> notes = opened.file.notes();
     state.message = {"Opened " + scene.name + ": " + std::to_string(scene.n_surfaces()) + " surfaces." +
@@ -118,8 +127,11 @@ void apply(AppState &state, const Reached &reached) {
     timeline.ended = reached.ended;
     state.busy.reset();
     state.fresh_since = Clock::now();
-    if (timeline.reached(state.position))
-        state.objects.shown_before[static_cast<std::size_t>(reached.strategy)].reset();
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (state.strategy_of(pane) == reached.strategy && timeline.reached(state.asked_position(pane)))
+            state.objects.shown_before[static_cast<std::size_t>(pane)].reset();
+    if (timeline.ended)
+        come_to_its_end(state, reached.strategy);
     find_what_was_restored(state, reached.strategy);
     if (state.position > 0 && reached.strategy == state.active_strategy())
         tell(state);
@@ -142,7 +154,7 @@ void apply(AppState &state, const Inspected &made) {
     ElementMode &mode = state.element;
     mode.shown = made.report;
     mode.version = made.version;
-    mode.strategy = made.asked.strategy;
+    mode.strategy = made.asked.stand.strategy;
     mode.answered = made.asked.question;
 }
 
@@ -159,9 +171,12 @@ void apply(AppState &state, const Stopped &) {
     state.busy.reset();
     state.opening.clear();
     // Linked panes go back to the last step that all of them have.
-    for (const Strategy s : state.shown())
-        if (!state.timeline(s).ended)
-            state.position = std::clamp(state.position, 0, std::max(0, state.timeline(s).last()));
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (const Timeline &course = state.timeline(state.strategy_of(pane)); !course.ended) {
+            const bool own = state.has_own_steps() && pane != state.panes().active;
+            int &position = own ? state.pane_positions[static_cast<std::size_t>(pane)] : state.position;
+            position = std::clamp(position, 0, std::max(0, course.last()));
+        }
     state.message = {"Cancelled; this is the last complete state.", false};
 }
 
@@ -174,10 +189,13 @@ std::optional<Goal> goal(const AppState &state) {
         return for_a_picture;
     if (!state.scene || state.halted)
         return std::nullopt;
-    Goal goal{state.run, state.scene, state.options, state.shown(), state.position};
-    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+    Goal goal{state.run, state.scene, state.options};
+    for (int pane = 0; pane < n_panes(state.layout); ++pane) {
+        const Stand stand{state.strategy_of(pane), state.asked_position(pane)};
+        goal.stands.push_back(stand);
         if (state.reconstructs(pane))
-            goal.reconstructed.push_back(state.panes().strategies[static_cast<std::size_t>(pane)]);
+            goal.reconstructed.push_back(stand);
+    }
     goal.inspected = inspection(state);
     return goal;
 }
@@ -303,42 +321,8 @@ void toggle_reconstruction(AppState &state) {
                      false};
 }
 
-void set_layout(AppState &state, Layout layout) {
-    const ErrorKind ranged = state.shown_look().error;
-    state.layout = layout;
-    if (state.shown_look().error != ranged) { // its range is of another unit
-        state.look.error_range.reset();
-        state.truth.range_locked = false;
-    }
-    if (layout == Layout::difference) {
-        state.panes().active = 1;
-        state.truth.halted = false;
-    }
-    state.halted = false;
-    state.message = {};
-}
-
-void toggle_cameras(AppState &state) {
-    if (!state.cameras_unlinked)
-        state.pane_cameras.fill(state.camera);
-    else
-        state.camera = state.active_camera();
-    state.camera_moved = true;
-    state.cameras_unlinked = !state.cameras_unlinked;
-    state.message = {state.cameras_unlinked ? "Each pane has a view of its own." : "All panes have the active pane's view.", false};
-}
-
-void flip(AppState &state) {
-    if (state.layout == Layout::flip)
-        state.panes().active = 1 - state.panes().active;
-    set_layout(state, Layout::flip);
-    state.message = {std::string("(") + letter(state.active_strategy()) + ") " +
-                         std::string(title(state.active_strategy())) + "; Shift+W shows the other.",
-                     false};
-}
-
 void reset_view(AppState &state) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!state.has_own_cameras())
         state.camera_is_set = false;
     else if (snapshot && state.scene)
@@ -346,7 +330,7 @@ void reset_view(AppState &state) {
 }
 
 void fit_view(AppState &state) {
-    if (const auto snapshot = state.snapshot(state.active_strategy())) {
+    if (const auto snapshot = state.active_solution()) {
         Camera &camera = state.camera_of(state.panes().active);
         camera = fit(camera, *snapshot, state.pane_aspect);
         state.camera_moved = true;

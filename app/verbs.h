@@ -11,12 +11,12 @@ namespace penumbra {
 /// Where the worker should stand, for a pending picture first; nothing when there is no scene or the user has cancelled.
 std::optional<Goal> goal(const AppState &state);
 
-/// Asks for another position (never below 0), for all panes. Beyond the end of every shown solution there is nothing:
+/// Asks for another position (never below 0), for all panes, or for the active one where panes have their own. Beyond the end of every shown solution there is nothing:
 /// the position stays there and the message says why.
 void go_to(AppState &state, int position);
 /// A position beyond any number of iterations; the state stays at the end once that is known.
 inline constexpr int far_ahead = 1'000'000;
-/// Whether every shown strategy has come to its end at or before the position.
+/// Whether every strategy that steps has come to its end at or before the position.
 bool at_end(const AppState &state);
 /// Goes on by one phase when playing, all panes have arrived and the pace allows. Returns how long to wait until it
 /// should be asked again [s]; negative: no need to.
@@ -37,11 +37,6 @@ void replace_scene(AppState &state, std::shared_ptr<const Scene> scene);
 void set_strategy(AppState &state, Strategy strategy);
 /// Draws the active pane's constants as quadratics, or as they are again.
 void toggle_reconstruction(AppState &state);
-void set_layout(AppState &state, Layout layout);
-/// Gives each pane a view of its own, at first the same; or all of them the active pane's.
-void toggle_cameras(AppState &state);
-/// One of the two strategies that are compared, in one pane; where that is shown already, the other in its place.
-void flip(AppState &state);
 void reset_view(AppState &state);
 void fit_view(AppState &state);
 

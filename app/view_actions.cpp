@@ -4,6 +4,7 @@
 #include "files/settings.h"
 #include "keyhole_verbs.h"
 #include "microscope_verbs.h"
+#include "pane_verbs.h"
 #include "presets.h"
 #include "profile_verbs.h"
 #include "verbs.h"
@@ -49,9 +50,9 @@ std::vector<Action> view_actions() {
     return {
         {"view.single", Menu::view, "One pane", "The active strategy alone.", {"Ctrl+1"}, use_layout<Layout::single>,
          nullptr, uses_layout<Layout::single>},
-        {"view.two", Menu::view, "Two panes", "Two strategies side by side, with the same eye and step.", {"Ctrl+2"},
+        {"view.two", Menu::view, "Two panes", "Two strategies side by side.", {"Ctrl+2"},
          use_layout<Layout::two>, nullptr, uses_layout<Layout::two>},
-        {"view.four", Menu::view, "Four panes", "All four strategies, with the same eye and step.", {"Ctrl+4"},
+        {"view.four", Menu::view, "Four panes", "All four strategies.", {"Ctrl+4"},
          use_layout<Layout::four>, nullptr, uses_layout<Layout::four>},
         {"view.wipe", Menu::view, "Wipe",
          "Two strategies in one picture, one left of a divider and one right of it; drag the divider.", {"W"},
@@ -65,6 +66,13 @@ std::vector<Action> view_actions() {
          "Each pane has a view of its own; done again, all have the active pane's.", {"Shift+L"}, toggle_cameras,
          [](const AppState &s) { return s.camera_is_set && n_places(s.layout) > 1; },
          [](const AppState &s) { return s.has_own_cameras(); }},
+        {"view.unlink_tones", Menu::view, "Unlink exposure and range",
+         "Each pane has its own exposure and range of colours; done again, all have the active pane's.", {"Shift+K"}, toggle_tones,
+         [](const AppState &s) { return n_places(s.layout) > 1; }, [](const AppState &s) { return s.has_own_tones(); }},
+        {"view.unlink_steps", Menu::view, "Unlink the steps",
+         "Each pane stands at a step of its own, and stepping moves the active one; done again, all stand at the active pane's.",
+         {"Shift+S"}, toggle_steps, [](const AppState &s) { return has_scene(s) && n_panes(s.layout) > 1; },
+         [](const AppState &s) { return s.has_own_steps(); }},
         {"view.next_layout", Menu::view, "Next layout", "One pane, two panes, four panes, wipe, flip, difference, and so on.", {"Tab"},
          next_layout},
         {"view.lecture", Menu::view, "Preset: lecture", "One pane, large text, mesh and curves, no panels.", {"F5"}, preset_lecture},
@@ -74,7 +82,7 @@ std::vector<Action> view_actions() {
          preset_inspect},
         {"view.figure", Menu::view, "Preset: figure", "All four strategies on a light background, no panels.", {"F8"}, preset_figure},
         {"view.next_pane", Menu::view, "Next pane", "Makes the next pane the active one.", {"Shift+Tab"},
-         [](AppState &s) { s.panes().active = (s.panes().active + 1) % n_panes(s.layout); },
+         [](AppState &s) { activate(s, (s.panes().active + 1) % n_panes(s.layout)); },
          [](const AppState &s) { return s.layout != Layout::single; }},
         {"view.reset", Menu::view, "Reset view", "Back to the eye that the scene began with.", {"R"}, reset_view,
          has_scene},
@@ -112,9 +120,9 @@ std::vector<Action> view_actions() {
         {"view.effects", Menu::view, "Effects",
          "What the scene calls for, and why; each effect can be switched, and what it changes be shown.", {"Y"},
          use_inspector<Inspector::effects>, has_scene, uses_inspector<Inspector::effects>},
-        {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop, in all panes.", {"E"},
+        {"view.brighter", Menu::view, "Brighter", "Exposure up by half a stop.", {"E"},
          [](AppState &s) { change_exposure(s, 0.5); }},
-        {"view.darker", Menu::view, "Darker", "Exposure down by half a stop, in all panes.", {"Shift+E"},
+        {"view.darker", Menu::view, "Darker", "Exposure down by half a stop.", {"Shift+E"},
          [](AppState &s) { change_exposure(s, -0.5); }},
         {"view.exposure_0", Menu::view, "Exposure 0 EV", "Exposure back to 0.", {"Ctrl+E"},
          [](AppState &s) { s.look.exposure_ev = 0; }},

@@ -176,6 +176,23 @@ Range error_range_from(const char *option, const std::string &text) {
     return *range;
 }
 
+void add_pane_ranges(CLI::App &parser, const char *option, std::vector<std::optional<Range>> &ranges, const char *help) {
+    parser
+        .add_option_function<std::vector<std::string>>(
+            option,
+            [&ranges, option](const std::vector<std::string> &texts) {
+                ranges.clear();
+                for (const std::string &text : texts) {
+                    const auto range = range_from(text);
+                    if (!range && text != "own")
+                        refuse(option, text, "LOW:HIGH with LOW below HIGH, as 0:12.5, or own");
+                    ranges.push_back(range);
+                }
+            },
+            help)
+        ->allow_extra_args(false);
+}
+
 } // namespace
 
 void add_look_options(CLI::App &parser, LookOptions &options) {
@@ -258,6 +275,15 @@ void add_look_options(CLI::App &parser, LookOptions &options) {
     parser.add_option("--exposure", options.look.exposure_ev, "EV: radiosity is shown 2^EV times as bright")
         ->check(CLI::Range(-40.0, 40.0))
         ->capture_default_str();
+    parser
+        .add_option("--pane-exposure", options.exposures,
+                    "As --exposure, for one of the panes side by side; given for each of them, in their order")
+        ->check(CLI::Range(-40.0, 40.0))
+        ->allow_extra_args(false);
+    add_pane_ranges(parser, "--pane-range", options.ranges,
+                    "As --range, or own: what this one of the panes side by side shows; given for each of them, in their order");
+    add_pane_ranges(parser, "--pane-error-range", options.error_ranges,
+                    "As --error-range, or own, for one of the panes side by side; given for each of them, in their order");
     parser.add_option_function<std::string>(
         "--range", [&](const std::string &text) { set_range(options, text); },
         "LOW:HIGH [W/m\u00b2] shown darkest and brightest; from 0 to the largest reflected radiosity unless given");

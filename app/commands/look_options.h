@@ -22,6 +22,8 @@ struct LookOptions {
     Look look;
     std::optional<View> view; ///< for pictures of 4:3 and wider; none: the scene's own
     std::vector<Camera> cameras;  ///< by pane, before all other views; empty: all panes have the one
+    std::vector<double> exposures; ///< by pane; empty: all panes have the look's
+    std::vector<std::optional<Range>> ranges, error_ranges; ///< by pane, none: its own; empty: all panes share one
     std::optional<Camera> camera; ///< whatever the picture's shape; the view goes before
     std::string caption; ///< below the panes; empty: none
     std::string curve_source; ///< name or number of a surface; empty: all
@@ -31,7 +33,7 @@ struct LookOptions {
 
 /// --size, --supersample, --transparent, --labels, --legend, --layers, --fresh, --curve-kinds, --curve-orders,
 /// --curve-source, --curve, --keyhole, --profile, --shading, --error, --error-range, --view, --camera, --pane-camera, --exposure,
-/// --range, --false-colour, --background; most of the flags with a --no- of their own.
+/// --pane-exposure, --range, --pane-range, --pane-error-range, --false-colour, --background; most of the flags with a --no- of their own.
 void add_look_options(CLI::App &parser, LookOptions &options);
 
 } // namespace penumbra

@@ -7,6 +7,7 @@
 #include "commands/solving_options.h"
 #include "core/error.h"
 #include "core/read_text.h"
+#include "pane_verbs.h"
 #include "restore.h"
 #include "split_verbs.h"
 #include "verbs.h"

@@ -30,6 +30,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,7 @@ struct RenderOptions {
     std::optional<int> steps;    ///< none: to `position`
     std::optional<int> position; ///< of a saved state, see timeline.h; none: to the fixed point
     Phase phase = Phase::pushed_pulled; ///< that the last of `steps` stops after
+    std::vector<int> positions; ///< by pane; empty: all stop at the one
     RefinementPart part{};
     bool priced = true;          ///< two panes have a sentence on what they took
     std::optional<bool> price_asked; ///< said on the command line
@@ -82,12 +84,24 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
     options.look.labels = picture.labels;
     options.look.caption = state.caption;
     options.look.supersample = picture.supersample;
-    if (!state.converged)
+    if (!state.converged) {
         options.position = state.position;
+        if (state.layout == Layout::flip && !state.positions.empty())
+            options.positions = {state.positions[static_cast<std::size_t>(state.active)]};
+        else
+            options.positions = state.positions;
+    }
+    for (const Tone &tone : state.tones) {
+        options.look.exposures.push_back(tone.exposure_ev);
+        options.look.ranges.push_back(tone.range);
+        options.look.error_ranges.push_back(tone.error_range);
+    }
     options.look.camera = state.camera;
     options.part = {state.split, state.linking};
-    if (parser.count("--steps") > 0)
+    if (parser.count("--steps") > 0) {
         options.part = {};
+        options.positions.clear();
+    }
     options.look.width = picture.width;
     options.look.height = picture.height;
     options.look.look = state.look;
@@ -110,6 +124,13 @@ void take_over(const SavedState &state, const CLI::App &parser, SolvingOptions &
     }
     if (parser.count("--pane-camera") == 0 && options.look.cameras.size() != options.panes.size())
         options.look.cameras.clear();
+    if (parser.count("--pane-exposure") == 0 && options.look.exposures.size() != options.panes.size())
+        options.look.exposures.clear();
+    for (const auto &[option, ranges] : {std::pair("--pane-range", &options.look.ranges), std::pair("--pane-error-range", &options.look.error_ranges)})
+        if (parser.count(option) == 0 && ranges->size() != options.panes.size())
+            ranges->clear();
+    if (parser.count("--pane-steps") == 0 && options.positions.size() != options.panes.size())
+        options.positions.clear();
     if (options.steps)
         options.look.look.emphasise_fresh = true;
 }
@@ -233,10 +254,10 @@ Truth find_changed(const std::shared_ptr<const Scene> &scene, const Options &opt
     return with_change(scene, options, change, &cancel, [&](const Counters &c) { progress.show(c); });
 }
 
-/// Steps to the position asked for, whose last iteration may stop after a phase.
-void go(Solver &solver, const RenderOptions &options, const Cancel &cancel, Progress &progress) {
+/// Steps to the position asked for, of the pane where it has its own; the last iteration may stop after a phase.
+void go(Solver &solver, const RenderOptions &options, std::size_t pane, const Cancel &cancel, Progress &progress) {
     const int most = solver.options().max_iterations;
-    const int position = options.steps ? position_of(*options.steps, *options.steps == 0 ? Phase::start : options.phase) : options.position.value_or(step_position(most));
+    const int position = !options.positions.empty() ? options.positions[pane] : options.steps ? position_of(*options.steps, *options.steps == 0 ? Phase::start : options.phase) : options.position.value_or(step_position(most));
     iterate(solver, position / phases_per_iteration, cancel, progress);
     const auto complete = solver.state();
     try {
@@ -298,6 +319,56 @@ void check_error_range(const Look &look) {
                                                   : "is above 0 for this kind of error, as 1e-4:1");
 }
 
+/// What is given by pane is given for each.
+void check_panes(const RenderOptions &options) {
+    const std::size_t n = std::max<std::size_t>(1, options.panes.size());
+    const bool in_one_place = options.wipe || options.subtracts;
+    const auto check = [&](const char *option, std::size_t given, bool anywhere = false) {
+        if (given > 0 && (given != n || (in_one_place && !anywhere)))
+            throw BadInput(fmt::format("{}: there are {} for {}; give one for each of the panes{}", option, given,
+                                       in_one_place && !anywhere ? "panes in one place" : fmt::format("{} pane{}", n, n == 1 ? "" : "s"),
+                                       anywhere ? "" : " side by side"));
+    };
+    check("--pane-camera", options.look.cameras.size());
+    check("--pane-exposure", options.look.exposures.size());
+    check("--pane-range", options.look.ranges.size());
+    check("--pane-error-range", options.look.error_ranges.size());
+    check("--pane-steps", options.positions.size(), true);
+}
+
+/// What is not given by pane is the look's, but for ranges: then each pane has its own.
+void set_tones(PictureSpec &spec, const LookOptions &look) {
+    if (look.exposures.empty() && look.ranges.empty() && look.error_ranges.empty())
+        return;
+    for (std::size_t i = 0; i < spec.panes.size(); ++i) {
+        Tone tone{look.look.exposure_ev, look.look.range, look.look.error_range};
+        if (!look.exposures.empty())
+            tone.exposure_ev = look.exposures[i];
+        if (!look.ranges.empty())
+            tone.range = look.ranges[i];
+        if (!look.error_ranges.empty())
+            tone.error_range = look.error_ranges[i];
+        tone.range_chosen = tone.range.has_value();
+        tone.error_range_locked = tone.error_range.has_value();
+        spec.panes[i].tone = tone;
+    }
+}
+
+/// "3", or "3 refine".
+int position_from(const std::string &text) {
+    int steps = 0;
+    std::string phase;
+    std::istringstream words(text);
+    const std::string_view names[] = {name(Phase::refined), name(Phase::gathered), name(Phase::pushed_pulled)};
+    words >> steps;
+    const bool known = !words.fail();
+    const bool ends = known && !(words >> phase);
+    const auto found = std::ranges::find(names, phase);
+    if (!known || steps < 0 || steps > 1'000'000 || (!ends && (found == std::end(names) || steps == 0)) || words >> phase)
+        throw CLI::ValidationError("--pane-steps", "'" + text + "' is not a number of steps, with the phase that the last one stops after, as \"3 refine\"");
+    return steps == 0 ? 0 : position_of(steps, ends ? Phase::pushed_pulled : static_cast<Phase>(1 + (found - std::begin(names))));
+}
+
 int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options, const CommonOptions &common) {
     check_deliverable(common.output);
     const OpenedFile opened = open_file(solving.scene, solving.up_vector(), solving.moves);
@@ -323,10 +394,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     spec.supersample = options.look.supersample;
     spec.wipe = options.wipe;
     spec.columns = options.panes.size() > 1 && !spec.wipe && !options.subtracts ? 2 : 1;
-    if (const std::size_t n = std::max<std::size_t>(1, options.panes.size()), given = options.look.cameras.size();
-        given > 0 && (given != n || spec.wipe || options.subtracts))
-        throw BadInput(fmt::format("--pane-camera: there are {} for {}; give one for each of the panes side by side", given,
-                                   spec.wipe || options.subtracts ? "panes in one place" : fmt::format("{} panes", n)));
+    check_panes(options);
     bool converged = true;
     std::string out_of_reach; // why, where a solution cannot come to the tolerance
     double tracing = 0;
@@ -339,7 +407,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
             Solver solver(scene, o, &interrupt.cancel());
             tracing = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             Progress progress(o, common.quiet, common.verbose);
-            go(solver, options, interrupt.cancel(), progress);
+            go(solver, options, spec.panes.size(), interrupt.cancel(), progress);
             converged &= solver.converged();
             const bool with_error = interrupt.exit_status() == done;
             spec.panes.push_back({pane.as_quadratics
@@ -355,12 +423,13 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
     }
     const Snapshot &first = *spec.panes.front().snapshot;
     choose_curves(options, first, spec.look);
-    if (options.panes.size() == 2 && options.priced && !options.panes[0].as_quadratics && !options.panes[1].as_quadratics)
+    if (options.panes.size() == 2 && options.priced && options.positions.empty() && !options.panes[0].as_quadratics && !options.panes[1].as_quadratics)
         spec.price = price(*spec.panes[0].snapshot, *spec.panes[1].snapshot, tracing);
     if (options.subtracts)
         subtract(spec);
     for (std::size_t i = 0; i < options.look.cameras.size(); ++i)
         spec.panes[i].camera = options.look.cameras[i];
+    set_tones(spec, options.look);
     if (options.look.keyhole)
         spec.keyhole = look_from(scene, *options.look.keyhole, options.keyhole_field);
     std::optional<ProfileData> profile;
@@ -376,7 +445,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
         return interrupt.exit_status();
     }
     spec.camera = camera_of(options, *scene, first, pane_aspect(spec));
-    SavedState saved = picture_state(spec, *scene, std::filesystem::path(common.output).parent_path());
+    SavedState saved = picture_state(spec, *scene, std::filesystem::path(common.output).parent_path(), !options.positions.empty());
     saved.moves = opened.moves;
     write_png(common.output, draw_picture(spec), state_text(saved));
     if (profile)
@@ -387,7 +456,7 @@ int run(const CLI::App &parser, SolvingOptions &solving, RenderOptions &options,
                              first.counters.iteration));
         return status;
     }
-    if (!converged && !options.steps && !options.position) {
+    if (!converged && !options.steps && !options.position && options.positions.empty()) {
         complain(!out_of_reach.empty() ? out_of_reach
                                        : "the fixed point was not reached in " +
                                              std::to_string(solving.options.max_iterations) +
@@ -431,6 +500,18 @@ Command add_render(CLI::App &root) {
         "and bq draw the constants as quadratics made for the eye, as in 1993");
     parser->add_option("--steps", options->steps, "Steps to do; to the fixed point unless given")
         ->check(CLI::Range(0, 1'000'000));
+    parser
+        ->add_option_function<std::vector<std::string>>(
+            "--pane-steps",
+            [options](const std::vector<std::string> &texts) {
+                options->positions.clear();
+                for (const std::string &text : texts)
+                    options->positions.push_back(position_from(text));
+            },
+            "Steps of one of the panes, and the phase that the last one stops after, as \"3 refine\"; given for each of them, in "
+            "their order")
+        ->allow_extra_args(false)
+        ->excludes("--steps");
     parser
         ->add_option_function<std::string>(
             "--phase",

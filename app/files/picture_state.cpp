@@ -11,7 +11,7 @@ SavedPicture saved_picture(const PictureSpec &spec) {
     return {spec.width, spec.height, lettered, !spec.price.empty(), spec.labels, spec.supersample};
 }
 
-SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std::filesystem::path &folder) {
+SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std::filesystem::path &folder, bool own_steps) {
     SavedState saved;
     saved.scene = scene.name;
     saved.file = place_of(scene, folder);
@@ -22,7 +22,8 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
     const auto add = [&](const Snapshot &snapshot) {
         saved.strategies.push_back(snapshot.options.strategy);
         saved.reconstructed.push_back(snapshot.reconstructed);
-        saved.position = std::max(saved.position, position_of(snapshot.counters.iteration, snapshot.phase));
+        saved.positions.push_back(position_of(snapshot.counters.iteration, snapshot.phase));
+        saved.position = std::max(saved.position, saved.positions.back());
         saved.converged &= snapshot.counters.converged;
         if (snapshot.n_shown_events > 0)
             saved.split = std::max(saved.split.value_or(0), static_cast<int>(snapshot.n_shown_events));
@@ -38,7 +39,13 @@ SavedState picture_state(const PictureSpec &spec, const Scene &scene, const std:
         add(*pane.snapshot);
         if (pane.camera)
             saved.cameras.push_back(*pane.camera);
+        if (pane.tone)
+            saved.tones.push_back(*pane.tone);
     }
+    if (!own_steps)
+        saved.positions.clear();
+    else
+        saved.position = saved.positions[static_cast<std::size_t>(saved.active)];
     if (spec.wipe) {
         saved.layout = Layout::wipe;
         saved.wipe = *spec.wipe;

@@ -217,15 +217,50 @@ Range read_range(const JsonValue &json) {
     return range;
 }
 
+Range read_error_range(const JsonValue &json, ErrorKind kind) {
+    const Range range = read_range(json);
+    if (kind != ErrorKind::signed_error && !(range.low > 0))
+        json.fail("has a low end that is not above 0, as the kind asks for");
+    return range;
+}
+
+/// After the look: what kind of errors there are.
+void read_tones(const JsonValue &list, SavedState &state) {
+    const std::size_t n = list.size(), n_panes = state.strategies.size();
+    if (n > 0 && state.layout)
+        list.fail(fmt::format("has {} exposures, and layout {} has one place; leave them out", n, in_quotes(name(*state.layout))));
+    if (n > 0 && n != n_panes)
+        list.fail(fmt::format("has {} exposures; give one for each of the {} strategies, or none", n, n_panes));
+    for (std::size_t i = 0; i < n; ++i) {
+        const JsonValue json = list.at(i);
+        Tone &tone = state.tones.emplace_back();
+        if (const auto exposure = json.known("exposure"))
+            tone.exposure_ev = number_in(*exposure, -40, 40);
+        if (const auto range = json.known("range"))
+            tone.range = read_range(*range);
+        if (const auto range = json.known("error_range"))
+            tone.error_range = read_error_range(*range, state.look.error);
+        read_flag(json, "range_chosen", tone.range_chosen);
+        read_flag(json, "error_range_locked", tone.error_range_locked);
+        tone.range_chosen &= tone.range.has_value();
+        tone.error_range_locked &= tone.error_range.has_value();
+    }
+}
+
+void read_positions(const JsonValue &list, SavedState &state) {
+    const std::size_t n = list.size(), n_panes = state.strategies.size();
+    if (n > 0 && n != n_panes)
+        list.fail(fmt::format("has {} steps; give one for each of the {} strategies, or none", n, n_panes));
+    for (std::size_t i = 0; i < n; ++i)
+        state.positions.push_back(static_cast<int>(list.at(i).integer(0, phases_per_iteration * most_iterations)));
+}
+
 void read_error(const JsonValue &json, SavedState &state) {
     Look &look = state.look;
     if (const auto kind = json.known("kind"))
         look.error = named(*kind, error_kind_from_name, "signed, relative, patch or estimate");
-    if (const auto range = json.known("range")) {
-        look.error_range = read_range(*range);
-        if (look.error != ErrorKind::signed_error && !(look.error_range->low > 0))
-            range->fail("has a low end that is not above 0, as the kind asks for");
-    }
+    if (const auto range = json.known("range"))
+        look.error_range = read_error_range(*range, look.error);
     read_flag(json, "locked", state.error_range_locked);
     if (const auto change = json.known("change"))
         look.change = named(*change, effect_change_from, "an effect's name with =on or =off");
@@ -318,6 +353,8 @@ void read_view(const JsonValue &root, SavedState &state) {
     read_whole(root, "active", 0, static_cast<int>(state.strategies.size()) - 1, state.active);
     state.options.strategy = state.strategies[static_cast<std::size_t>(state.active)];
     state.position = read_position(root);
+    if (const auto positions = root.known("positions"))
+        read_positions(*positions, state);
     if (const auto split = root.known("split"))
         state.split = static_cast<int>(split->integer(1, most_events));
     if (const auto linking = root.known("linking"))
@@ -328,6 +365,8 @@ void read_view(const JsonValue &root, SavedState &state) {
     if (const auto cameras = root.known("cameras"))
         read_cameras(*cameras, state);
     read_look(root, state);
+    if (const auto tones = root.known("tones"))
+        read_tones(*tones, state);
     if (const auto keyhole = root.known("keyhole"))
         state.keyhole = triple<Vec3>(*keyhole);
     if (const auto profile = root.known("profile")) {

@@ -114,8 +114,18 @@ void add_options(Line &line, const Options &o) {
             line.option("--effect", fmt::format("{}={}", name(effect), name(o.effects[effect])));
 }
 
+std::string steps_text(int position) {
+    const Phase phase = phase_of(position);
+    return std::to_string(iteration_of(position)) +
+           (phase == Phase::refined || phase == Phase::gathered ? " " + std::string(name(phase)) : "");
+}
+
 void add_position(Line &line, const SavedState &state) {
-    if (!state.converged) {
+    if (!state.converged && !state.positions.empty()) {
+        for (std::size_t i = 0; i < state.positions.size(); ++i)
+            if (state.layout != Layout::flip || static_cast<int>(i) == state.active)
+                line.option("--pane-steps", steps_text(state.positions[i]));
+    } else if (!state.converged) {
         line.option("--steps", std::to_string(iteration_of(state.position)));
         if (const Phase phase = phase_of(state.position); phase == Phase::refined || phase == Phase::gathered)
             line.option("--phase", std::string(name(phase)));
@@ -175,6 +185,18 @@ void add_look(Line &line, const Look &look, bool difference) {
     line.flag("--transparent", look.transparent);
 }
 
+/// Each range is told, or that the pane has its own.
+void add_tones(Line &line, const SavedState &state) {
+    const auto text = [](const std::optional<Range> &range) { return range ? range_text(*range) : "own"; };
+    for (const Tone &tone : state.tones)
+        line.option("--pane-exposure", fmt::format("{}", tone.exposure_ev));
+    for (const Tone &tone : state.tones)
+        line.option("--pane-range", text(tone.range));
+    if (std::ranges::any_of(state.tones, [](const Tone &tone) { return tone.error_range.has_value(); }))
+        for (const Tone &tone : state.tones)
+            line.option("--pane-error-range", text(tone.error_range));
+}
+
 void add_picture(Line &line, const SavedState &state) {
     const SavedPicture usual, picture = state.picture.value_or(usual);
     if (picture.width != usual.width || picture.height != usual.height)
@@ -187,6 +209,7 @@ void add_picture(Line &line, const SavedState &state) {
                                             state.camera->fov_y));
     for (const Camera &c : state.cameras)
         line.option("--pane-camera", fmt::format("{} {}", triples(c.eye, c.target, c.up), c.fov_y));
+    add_tones(line, state);
     if (state.keyhole)
         line.option("--keyhole", triples(*state.keyhole));
     if (!state.caption.empty())

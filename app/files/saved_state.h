@@ -41,11 +41,13 @@ struct SavedState {
     std::vector<bool> reconstructed = {}; ///< by pane: constants are drawn as quadratics; empty: none is
     int active = 0;                                                       ///< pane
     int position = 0;                                                     ///< see timeline.h
+    std::vector<int> positions = {}; ///< by pane, where they are not linked; empty: all stand at the one
     std::optional<int> split = {}; ///< splits of the refinement there that are shown; none: all
     std::optional<int> linking = {}; ///< pairs that it linked, of which so many are shown after all splits; none: all
     bool converged = false;                                               ///< every pane stands at its fixed point
     std::optional<Camera> camera = {};                                    ///< none: the scene's first view
     std::vector<Camera> cameras = {}; ///< by pane, where they are not linked; empty: all have the one
+    std::vector<Tone> tones = {};     ///< by pane, where they are not linked; empty: all are as the look has it
     Look look = {};
     bool range_chosen = false; ///< look.range was asked for; else it is what the values shown came to
     bool error_range_locked = false; ///< look.error_range stays whatever is shown; else it follows the values

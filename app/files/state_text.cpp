@@ -20,19 +20,19 @@ using Json = nlohmann::ordered_json;
 
 Json triple(const glm::dvec3 &v) { return Json::array({v.x, v.y, v.z}); }
 
-/// What the panes show, which falls short of the position asked for while it is being computed.
-int shown_position(const AppState &s) {
+/// What a pane shows, which falls short of the position asked for while it is being computed.
+int shown_position(const AppState &s, int pane) {
     int furthest = 0;
-    for (const Strategy strategy : s.shown())
+    for (const Strategy strategy : s.has_own_steps() ? std::vector{s.strategy_of(pane)} : s.shown())
         furthest = std::max(furthest, s.timeline(strategy).last());
-    return std::clamp(s.shown_place().position, 0, furthest);
+    return std::clamp(s.shown_place(pane).position, 0, furthest);
 }
 
 bool all_converged(const AppState &s) {
-    return std::ranges::all_of(s.shown(), [&](Strategy strategy) {
-        const auto snapshot = s.snapshot(strategy);
-        return snapshot && snapshot->counters.converged;
-    });
+    for (int pane = 0; pane < n_panes(s.layout); ++pane)
+        if (const auto snapshot = s.solution(pane); !snapshot || !snapshot->counters.converged)
+            return false;
+    return true;
 }
 
 /// What was predicted of the active pane's run.
@@ -52,7 +52,7 @@ std::string_view name(Inspector inspector) {
 Json known(double error) { return error >= 0 ? Json(error) : Json(); }
 
 Json pane(const AppState &s, int pane) {
-    const Strategy strategy = s.panes().strategies[static_cast<std::size_t>(pane)];
+    const Strategy strategy = s.strategy_of(pane);
     Json j{{"strategy", name(strategy)}, {"computed", s.timeline(strategy).last()}};
     if (const auto snapshot = s.shown_snapshot(pane)) {
         j["reconstructed"] = snapshot->reconstructed;
@@ -206,14 +206,19 @@ SavedState saved_state(const AppState &s, const std::filesystem::path &folder) {
     for (int pane = 0; pane < n_panes(s.layout); ++pane)
         saved.reconstructed.push_back(s.reconstructs(pane));
     saved.active = s.panes().active;
-    saved.position = shown_position(s);
-    saved.split = s.shows_before() ? s.shown_place().split : shown_splits(s);
-    saved.linking = s.shows_before() ? s.shown_place().linking : shown_linkings(s);
+    const int active = s.panes().active;
+    saved.position = shown_position(s, active);
+    for (int pane = 0; pane < n_panes(s.layout) && s.has_own_steps(); ++pane)
+        saved.positions.push_back(shown_position(s, pane));
+    saved.split = s.shows_before() ? s.shown_place(active).split : shown_splits(s);
+    saved.linking = s.shows_before() ? s.shown_place(active).linking : shown_linkings(s);
     saved.converged = all_converged(s);
     if (s.camera_is_set)
         saved.camera = s.camera;
     for (int pane = 0; pane < n_panes(s.layout) && s.has_own_cameras(); ++pane)
         saved.cameras.push_back(s.camera_of(pane));
+    for (int pane = 0; pane < n_panes(s.layout) && s.has_own_tones(); ++pane)
+        saved.tones.push_back(s.tone_of(pane));
     saved.look = s.look;
     saved.look.error = s.shown_look().error; // that the range is of
     saved.look.spotlight.curve = s.pinned_curve.value_or(-1);

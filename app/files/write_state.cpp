@@ -45,6 +45,8 @@ Json picture(const SavedPicture &p, bool transparent) {
             {"labels", p.labels}, {"supersample", p.supersample}, {"transparent", transparent}};
 }
 
+Json range(const std::optional<Range> &r) { return r ? Json::array({r->low, r->high}) : Json(); }
+
 /// All but the bookmarks and the format.
 Json view_json(const SavedState &s) {
     const Look &look = s.look;
@@ -65,6 +67,7 @@ Json view_json(const SavedState &s) {
     j["position"] = s.position;
     j["iteration"] = iteration_of(s.position);
     j["phase"] = name(phase_of(s.position));
+    j["positions"] = s.positions;
     j["split"] = s.split ? Json(*s.split) : Json();
     j["linking"] = s.linking ? Json(*s.linking) : Json();
     j["converged"] = s.converged;
@@ -77,6 +80,13 @@ Json view_json(const SavedState &s) {
     j["cameras"] = Json::array();
     for (const Camera &c : s.cameras)
         j["cameras"].push_back(camera(c));
+    j["tones"] = Json::array();
+    for (const Tone &t : s.tones)
+        j["tones"].push_back({{"exposure", t.exposure_ev},
+                              {"range", range(t.range)},
+                              {"range_chosen", t.range_chosen},
+                              {"error_range", range(t.error_range)},
+                              {"error_range_locked", t.error_range_locked}});
     j["layers"] = {{"mesh", look.layers.mesh},
                    {"curves", look.layers.curves},
                    {"links", look.layers.links},
@@ -87,12 +97,12 @@ Json view_json(const SavedState &s) {
     j["profile"] = s.profile ? Json::array({triple(s.profile->first), triple(s.profile->second)}) : Json();
     j["shading"] = name(look.shading);
     j["error"] = {{"kind", name(look.error)},
-                  {"range", look.error_range ? Json::array({look.error_range->low, look.error_range->high}) : Json()},
+                  {"range", range(look.error_range)},
                   {"locked", s.error_range_locked},
                   {"change", look.change ? Json(text_of(*look.change)) : Json()}};
     j["false_colour"] = look.false_colour;
     j["exposure"] = look.exposure_ev;
-    j["range"] = look.range ? Json::array({look.range->low, look.range->high}) : Json();
+    j["range"] = range(look.range);
     j["range_chosen"] = s.range_chosen;
     j["background"] = look.theme == Theme::dark ? "dark" : "light";
     j["picture"] = s.picture ? picture(*s.picture, look.transparent) : Json();

@@ -81,7 +81,7 @@ void draw_sources(AppState &state, const Snapshot &snapshot) {
 } // namespace
 
 void draw_curve_filter(AppState &state) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!state.look.layers.curves || !snapshot || !snapshot->curves)
         return;
     draw_kinds(state);

@@ -27,7 +27,7 @@ void quiet_paragraph(const std::string &text) {
 }
 
 void draw_pinned_curve(const AppState &state) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!state.pinned_curve || !snapshot || !snapshot->curves ||
         *state.pinned_curve >= static_cast<int>(snapshot->curves->size()))
         return;
@@ -41,7 +41,7 @@ void draw_pinned_curve(const AppState &state) {
 }
 
 void draw_what_it_holds(AppState &state, const ElementReport &r) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     const SnapshotSurface &surface = snapshot->surfaces[static_cast<std::size_t>(r.surface)];
     const int patch = patch_at(*snapshot, r.surface, to_plane(surface, r.question.point));
     const float side = em(6), gap = em(0.8f);

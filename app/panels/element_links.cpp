@@ -107,7 +107,7 @@ void head(const char *name, const char *sentence) {
 } // namespace
 
 void draw_element_links(AppState &state, const ElementReport &report) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     heading("Who lights it");
     if (report.links.empty()) {
         ImGui::PushTextWrapPos(0);

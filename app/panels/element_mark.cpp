@@ -65,7 +65,7 @@ private:
 
 void draw_picked_element(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera,
                          const Fonts &fonts) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     const ElementReport *report = shown_report(state);
     if (state.inspector != Inspector::element || !report || !snapshot)
         return;

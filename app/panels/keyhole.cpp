@@ -34,7 +34,7 @@ ImVec2 inset_corner(const AppState &state, const WindowRect &pane, bool has_scal
 } // namespace
 
 void draw_keyhole(AppState &state, ImDrawList &list, const Arrangement &arrangement, const Fonts &fonts) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (!state.keyhole.open || !state.keyhole.seen || state.keyhole.scene != state.scene || !snapshot)
         return;
     const Keyhole &keyhole = *state.keyhole.seen;

@@ -104,7 +104,7 @@ void draw_map(AppState &state, const SplitFilters &f, const MapWords &words, con
 
 void draw_which(AppState &state, const SplitFilters &f) {
     Microscope &m = state.microscope;
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted((surface_name(*snapshot, f.surface) + ": an element " + how_split(f)).c_str());
     ImGui::PopTextWrapPos();
@@ -159,7 +159,7 @@ void draw_filters(AppState &state, const SplitFilters &f) {
 }
 
 void say_why_not(AppState &state) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     const auto &at = state.microscope.at;
     const bool any = snapshot && !snapshot->splits.empty();
     ImGui::PushTextWrapPos(0);

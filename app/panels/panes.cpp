@@ -6,6 +6,7 @@
 #include "panels/object_drag.h"
 #include "panels/panels.h"
 #include "panels/split_sketch.h"
+#include "pane_verbs.h"
 #include "profile_verbs.h"
 #include "render/divider.h"
 #include "render/event_note.h"
@@ -35,7 +36,7 @@ Drag drag_of(const ImGuiIO &io) {
 }
 
 void begin_drag(AppState &state, const glm::dvec3 &point, int pane) {
-    state.panes().active = pane;
+    activate(state, pane);
     state.drag_anchor = point;
     state.orbit_pivot = state.pivot.value_or(point);
 }
@@ -267,7 +268,7 @@ float draw_label(AppState &state, ImDrawList &list, const Fonts &fonts, const Wi
 
 /// What the pinned curve is, above the footnote; the keyhole needs the place for its news, and the inspector tells it.
 void draw_pinned(const AppState &state, ImDrawList &list, const Fonts &fonts, const WindowRect &rect) {
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     const bool told_elsewhere = state.keyhole.open || (state.inspector == Inspector::element && !state.panels_hidden);
     if (told_elsewhere || !state.pinned_curve || !snapshot || !snapshot->curves ||
         *state.pinned_curve >= static_cast<int>(snapshot->curves->size()))
@@ -278,22 +279,33 @@ void draw_pinned(const AppState &state, ImDrawList &list, const Fonts &fonts, co
                     state.look.theme);
 }
 
-/// `below`: height of the label of the pane that the scale stands in.
+/// The scale of colours in the corner of each place that has its own, or else of one of them. `labels`: heights of the panes'
+/// labels, below which it stands where place is narrow.
+void draw_colour_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, const Arrangement &arrangement,
+                         const std::vector<float> &labels) {
+    for (std::size_t i = 0; i < arrangement.place.size(); ++i) {
+        const bool usual = i == (arrangement.place.size() == 1 ? 0 : 1);
+        const Look look = state.look_of(static_cast<int>(i));
+        if ((!usual && !state.has_own_tones()) || !look.range)
+            continue;
+        const WindowRect &place = arrangement.place[i];
+        const float below = arrangement.place.size() > 1 ? labels[i] : state.layout == Layout::wipe ? labels[1] : 0;
+        draw_colour_legend(list, fonts, {place.x + place.width - em(0.9f), place.y + em(0.9f) + below},
+                           std::min(em(14), 0.5f * (place.height - below)), look, *look.range);
+    }
+}
+
 void draw_legends(const AppState &state, ImDrawList &list, const Fonts &fonts, const Arrangement &arrangement,
-                  float below) {
+                  const std::vector<float> &labels) {
     const std::vector<std::shared_ptr<const Snapshot>> kept = state.shown_snapshots();
     std::vector<const Snapshot *> snapshots;
     for (const auto &snapshot : kept)
         snapshots.push_back(snapshot.get());
     if (snapshots.empty() || arrangement.legend.height <= 0)
         return;
-    const Range range = state.look.range.value_or(common_range(snapshots));
     const WindowRect &strip = arrangement.legend;
-    const Look look = state.shown_look();
-    draw_line_legend(list, fonts, {strip.x + em(0.8f), strip.y + 0.4f * em()}, strip.width - em(1.6f), look, snapshots);
-    const WindowRect &pane = arrangement.place[arrangement.place.size() == 1 ? 0 : 1];
-    draw_colour_legend(list, fonts, {pane.x + pane.width - em(0.9f), pane.y + em(0.9f) + below},
-                       std::min(em(14), 0.5f * (pane.height - below)), look, range);
+    draw_line_legend(list, fonts, {strip.x + em(0.8f), strip.y + 0.4f * em()}, strip.width - em(1.6f), state.shown_look(), snapshots);
+    draw_colour_legends(state, list, fonts, arrangement, labels);
 }
 
 } // namespace
@@ -311,7 +323,7 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
         state.profile.cursor.reset();
     ImDrawList &list = *ImGui::GetWindowDrawList();
     drag_divider(state, arrangement);
-    float below = 0; // one pane is wide enough for label and scale side by side
+    std::vector<float> labels(arrangement.pane.size()); // their heights
     for (int pane = 0; pane < static_cast<int>(arrangement.pane.size()); ++pane) {
         const WindowRect &rect = arrangement.pane[static_cast<std::size_t>(pane)];
         const WindowRect &part = arrangement.part[static_cast<std::size_t>(pane)];
@@ -325,13 +337,11 @@ void draw_panes(AppState &state, const Arrangement &arrangement, const Fonts &fo
         mark(state, name);
         handle_mouse(state, rect, pane);
         list.PushClipRect({part.x, part.y}, {part.x + part.width, part.y + part.height}, true);
-        const float height = draw_label(state, list, fonts, label_place(state, rect, pane), pane);
+        labels[static_cast<std::size_t>(pane)] = draw_label(state, list, fonts, label_place(state, rect, pane), pane);
         draw_active_frame(state, list, part, pane);
         list.PopClipRect();
-        if (pane == 1 && (n_places(state.layout) > 1 || state.layout == Layout::wipe))
-            below = height;
     }
-    draw_legends(state, list, fonts, arrangement, below);
+    draw_legends(state, list, fonts, arrangement, labels);
     const std::vector<Strategy> shown = state.shown();
     for (std::size_t pane = 0; pane < arrangement.pane.size(); ++pane)
         if (const WindowRect &part = arrangement.part[pane]; shown[pane] == state.active_strategy() && part.width > 0) {

@@ -94,7 +94,7 @@ void draw_prices(const Price &predicted, const std::optional<Price> &actual) {
 /// While the slider moves: what its tolerance would cost. Else what was predicted, and what it has come to.
 void draw_price_tag(AppState &state, double tolerance) {
     const Strategy strategy = state.active_strategy();
-    const auto snapshot = state.snapshot(strategy);
+    const auto snapshot = state.active_solution();
     const std::optional<Price> said = state.tolerance_in_hand
                                           ? price_tag(state, strategy, tolerance)
                                           : state.prices.predicted[static_cast<std::size_t>(strategy)];

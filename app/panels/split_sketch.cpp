@@ -65,7 +65,7 @@ int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, 
     mark(state, "split sketch");
     tooltip("The element and its pieces", "Click a piece to look at its filters.");
     Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
-    if (const auto snapshot = state.snapshot(state.active_strategy()))
+    if (const auto snapshot = state.active_solution())
         turn = turn_to_view(state.active_camera(), snapshot->surfaces[static_cast<std::size_t>(filters.surface)]);
     Vec2 low = turn * filters.corners.front(), high = low;
     for (const Vec2 &p : filters.corners) {
@@ -109,7 +109,7 @@ int draw_split_sketch(AppState &state, const SplitFilters &filters, int chosen, 
 
 void draw_split_outline(const AppState &state, ImDrawList &list, const WindowRect &pane, const Camera &camera) {
     const Microscope &m = state.microscope;
-    const auto snapshot = state.snapshot(state.active_strategy());
+    const auto snapshot = state.active_solution();
     if (state.inspector != Inspector::filters || !m.shown || !snapshot || m.version != snapshot->version)
         return;
     const SnapshotSurface &surface = snapshot->surfaces[static_cast<std::size_t>(m.shown->surface)];

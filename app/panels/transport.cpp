@@ -44,7 +44,7 @@ void draw_splits(AppState &state, const ImVec2 &low, float width, float height) 
     ImGui::SetCursorScreenPos(low);
     ImGui::InvisibleButton("splits", {step * static_cast<float>(n), height});
     mark(state, "splits");
-    const auto &events = *state.snapshot(state.active_strategy())->events;
+    const auto &events = *state.active_solution()->events;
     const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.45f), full = ImGui::GetColorU32(ImGuiCol_Text),
                 accent = ImGui::GetColorU32(ImGuiCol_CheckMark);
     for (int k = 1; k <= n; ++k) {
@@ -81,7 +81,7 @@ void draw_linkings(AppState &state, const ImVec2 &low, float width, float height
     if (here)
         list.AddLine({x, middle - 0.42f * height}, {x, middle + 0.42f * height}, accent, 3);
     const int over = std::clamp(1 + static_cast<int>((ImGui::GetMousePos().x - low.x) / width * static_cast<float>(n)), 1, n);
-    const auto &linkings = *state.snapshot(state.active_strategy())->linkings;
+    const auto &linkings = *state.active_solution()->linkings;
     tooltip("Link " + std::to_string(over) + " of " + std::to_string(n), linkings[static_cast<std::size_t>(over - 1)].sentence);
     if (ImGui::IsItemActive() && here != over) {
         state.playing = false;

@@ -43,7 +43,8 @@ void draw_footnote(ImDrawList &list, const Fonts &fonts, ImVec2 corner, const Pa
 /// The height it would have in a rectangle of this width.
 float pane_label_height(const Fonts &fonts, float width, const PaneLabel &label);
 
-/// Colour bar with ticks and unit, vertical, its upper right corner at `corner`: of radiosity over `range`, or of the
+/// Colour bar with ticks and unit, vertical, its upper right corner at `corner`, with the background beneath it to be read over
+/// a picture: of radiosity over `range`, or of the
 /// look's errors where these are shown and have a range. Returns its size.
 ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, float bar_height, const Look &look,
                           const Range &range);

@@ -143,8 +143,15 @@ ImVec2 draw_colour_legend(ImDrawList &list, const Fonts &fonts, ImVec2 corner, f
     for (const auto &[at, text] : scale.ticks)
         text_width = std::max(text_width, size_of(fonts, em, text).x);
     const float head = size_of(fonts, em, scale.heading).x, width = std::max(bar + 2 * gap + text_width, head);
-    list.AddText(fonts.text, em, {corner.x - head, corner.y}, ink(look), scale.heading.c_str());
     const float top = corner.y + 1.7f * em, right = corner.x - text_width - 2 * gap, left = right - bar;
+    const glm::vec4 background = background_colour(look.theme);
+    const auto ground = [&](ImVec2 low, ImVec2 high) {
+        list.AddRectFilled({low.x - gap, low.y - gap}, {high.x + gap, high.y + gap},
+                           ImGui::ColorConvertFloat4ToU32({background.r, background.g, background.b, 0.7f}), gap);
+    };
+    ground({corner.x - head, corner.y}, {corner.x, corner.y + em});
+    ground({left, top}, {corner.x, top + bar_height + gap});
+    list.AddText(fonts.text, em, {corner.x - head, corner.y}, ink(look), scale.heading.c_str());
     draw_bar(list, scale, [&](int i, int n) {
         const auto y = [&](int k) { return top + bar_height * (1 - static_cast<float>(k) / static_cast<float>(n)); };
         return std::pair(ImVec2(left, y(i + 1)), ImVec2(right, y(i)));

@@ -44,6 +44,13 @@ glm::vec4 background_colour(Theme theme) {
     return theme == Theme::dark ? glm::vec4(0.105, 0.115, 0.13, 1) : glm::vec4(1, 1, 1, 1);
 }
 
+Look with_tone(Look look, const Tone &tone) {
+    look.exposure_ev = tone.exposure_ev;
+    look.range = tone.range;
+    look.error_range = tone.error_range;
+    return look;
+}
+
 Look look_at(const Difference &difference, Look look) {
     look.shading = Shading::error;
     look.error = ErrorKind::signed_error;

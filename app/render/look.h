@@ -76,6 +76,17 @@ struct Look {
     bool operator==(const Look &) const = default;
 };
 
+/// How bright a pane is and over which ranges, where panes have their own; see Look.
+struct Tone {
+    double exposure_ev = 0;
+    std::optional<Range> range, error_range;
+    bool range_chosen = false, error_range_locked = false; ///< else they follow what is shown
+    bool operator==(const Tone &) const = default;
+};
+
+/// The same, so bright and over these ranges.
+Look with_tone(Look look, const Tone &tone);
+
 /// The same, but that difference in place of light or errors.
 Look look_at(const Difference &difference, Look look);
 

@@ -160,13 +160,34 @@ void draw_labels(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, 
     }
 }
 
+Look look_of(const PictureSpec &spec, const PicturePane &pane) {
+    return pane.tone ? with_tone(spec.look, *pane.tone) : spec.look;
+}
+
+bool have_own_tones(const PictureSpec &spec) {
+    return std::ranges::any_of(spec.panes, [](const PicturePane &pane) { return pane.tone.has_value(); });
+}
+
+/// In the corners of the panes.
+void draw_own_legends(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l) {
+    const float em = fonts.size;
+    for (std::size_t i = 0; i < spec.panes.size(); ++i) {
+        const Look look = look_of(spec, spec.panes[i]);
+        const ImVec2 low = corner(l.views[i]), high = far_corner(l.views[i]);
+        draw_colour_legend(list, fonts, {high.x - 0.9f * em, low.y + 0.9f * em}, std::min(14 * em, 0.5f * (high.y - low.y)), look,
+                           *look.range);
+    }
+}
+
 void draw_legend(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, const Layout &l, bool same_footnote,
                  const std::vector<const Snapshot *> &snapshots) {
     const float em = fonts.size, width = static_cast<float>(spec.width);
     const ImVec2 at = corner(l.legend);
     draw_plate(list, spec, at, far_corner(l.legend));
     const float below =
-        draw_colour_legend_lying(list, fonts, {at.x + em, at.y + 0.4f * em}, 0.34f * width, spec.look, *spec.look.range).y;
+        have_own_tones(spec)
+            ? 0
+            : draw_colour_legend_lying(list, fonts, {at.x + em, at.y + 0.4f * em}, 0.34f * width, spec.look, *spec.look.range).y;
     if (same_footnote && !spec.panes.empty())
         draw_footnote(list, fonts, {at.x + em, at.y + 0.6f * em + below}, pane_label(*snapshots.front()), spec.look.theme);
     draw_line_legend(list, fonts, {at.x + 0.43f * width, at.y + 0.4f * em}, 0.55f * width, spec.look, snapshots);
@@ -191,11 +212,13 @@ void draw_words(ImDrawList &list, const Fonts &fonts, const PictureSpec &spec, c
     if (spec.keyhole)
         draw_keyhole_inset(list, fonts, corner(l.inset), *spec.keyhole, *snapshots.front(), spec.look.theme);
     draw_note(&list, fonts, spec, static_cast<float>(l.note.y + l.note.height));
+    if (spec.legend && have_own_tones(spec))
+        draw_own_legends(list, fonts, spec, l);
     if (spec.legend)
         draw_legend(list, fonts, spec, l, same_footnote, snapshots);
 }
 
-/// What is drawn before it is averaged, with the ranges that its panes share.
+/// What is drawn before it is averaged, with the ranges that its panes share or have.
 PictureSpec enlarged(const PictureSpec &spec, const std::vector<const Snapshot *> &snapshots) {
     PictureSpec large = spec;
     large.text = static_cast<double>(spec.supersample) * text_height(spec);
@@ -205,10 +228,23 @@ PictureSpec enlarged(const PictureSpec &spec, const std::vector<const Snapshot *
         large.look.range = common_range(snapshots);
     if (large.look.shading == Shading::error && !large.look.error_range)
         large.look.error_range = error_range(large.look.error, judged(spec));
+    for (PicturePane &pane : large.panes)
+        if (pane.tone)
+            pane.tone = with_ranges(*pane.tone, pane, large.look);
     return large;
 }
 
 } // namespace
+
+Tone with_ranges(Tone tone, const PicturePane &pane, const Look &look) {
+    const Snapshot *snapshots[] = {pane.snapshot.get()};
+    const Judged judged[] = {{pane.snapshot.get(), pane.errors.get()}};
+    if (!tone.range)
+        tone.range = common_range(snapshots);
+    if (look.shading == Shading::error && !tone.error_range)
+        tone.error_range = error_range(look.error, judged);
+    return tone;
+}
 
 std::vector<Judged> judged(const PictureSpec &spec) {
     std::vector<Judged> all;
@@ -248,7 +284,7 @@ Image draw_picture(const PictureSpec &spec, int tile_side) {
         {spec.width, spec.height, spec.supersample, tile_side, large.look.transparent, background},
         [&](const PixelRect &tile) {
             for (std::size_t i = 0; i < renderers.size(); ++i)
-                renderers[i]->draw(large.panes[i].camera.value_or(large.camera), large.look, l.views[i], large.height, scale,
+                renderers[i]->draw(large.panes[i].camera.value_or(large.camera), look_of(large, large.panes[i]), l.views[i], large.height, scale,
                                    tile, l.parts[i]);
         },
         [&](const PixelRect &tile) { overlay.draw(tile); });

@@ -1,4 +1,4 @@
-// A whole picture: panes side by side, labelled, with one legend. The window's pictures and the command line's are both
+// A whole picture: panes side by side, labelled, with one legend, or one for each of them that has a tone of its own. The window's pictures and the command line's are both
 // made here.
 #pragma once
 
@@ -23,6 +23,7 @@ struct PicturePane {
     std::shared_ptr<const ErrorMap> errors = nullptr; ///< of the snapshot, for error pictures; null: not known
     std::shared_ptr<const Snapshot> minus = nullptr;  ///< the errors are the difference from it; null: they are not
     std::optional<Camera> camera{};                   ///< none: the spec's
+    std::optional<Tone> tone{};                       ///< none: the look's; ranges that it lacks are the pane's own
 };
 
 struct PictureSpec {
@@ -45,6 +46,9 @@ struct PictureSpec {
 
 /// Aspect (width / height) of one pane of such a picture, for fitting the camera.
 double pane_aspect(const PictureSpec &spec);
+
+/// With ranges of what the pane alone shows, where it has none.
+Tone with_ranges(Tone tone, const PicturePane &pane, const Look &look);
 
 /// What its panes show, for error_range().
 std::vector<Judged> judged(const PictureSpec &spec);

@@ -99,15 +99,15 @@ struct PaneCanvas::Parts {
 PaneCanvas::PaneCanvas() : parts_(std::make_unique<Parts>()) {}
 PaneCanvas::~PaneCanvas() = default;
 
-int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement &arrangement, int width, int height,
+int PaneCanvas::draw(const AppState &state, const std::array<Look, 4> &looks, const Arrangement &arrangement, int width, int height,
                      double pixel_ratio, bool moving) {
     Parts &p = *parts_;
     p.resize(width, height);
     std::vector<PixelRect> rects;
     for (const WindowRect &pane : arrangement.pane)
         rects.push_back(pixels(pane, pixel_ratio));
-    if (p.theme != look.theme || !std::ranges::equal(p.rects, rects, [](const auto &a, const auto &b) { return same(a, b); })) {
-        p.theme = look.theme;
+    if (p.theme != looks[0].theme || !std::ranges::equal(p.rects, rects, [](const auto &a, const auto &b) { return same(a, b); })) {
+        p.theme = looks[0].theme;
         p.rects = rects;
         p.clear();
     }
@@ -117,6 +117,7 @@ int PaneCanvas::draw(const AppState &state, const Look &look, const Arrangement 
     // A panel may have changed the layout in this frame; it is arranged in the next.
     for (std::size_t i = 0; i < std::min<std::size_t>(n_panes(state.layout), arrangement.pane.size()); ++i) {
         const int pane = static_cast<int>(i);
+        const Look &look = looks[i];
         const auto snapshot = state.shown_snapshot(pane);
         if (!snapshot)
             continue; // what was there stays until the new solution is ready

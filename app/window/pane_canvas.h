@@ -18,10 +18,10 @@ public:
     PaneCanvas(const PaneCanvas &) = delete;
     PaneCanvas &operator=(const PaneCanvas &) = delete;
 
-    /// Draws into the default framebuffer, of this size [pixels]; `pixel_ratio` is pixels to a screen coordinate.
+    /// Draws into the default framebuffer, of this size [pixels]; a look for each pane; `pixel_ratio` is pixels to a screen coordinate.
     /// While the view is `moving` what has changed is drawn as a draft, with one sample a pixel, in half the time: lines
     /// are as smooth, borders of surfaces less so. Returns how many panes had to be drawn anew.
-    int draw(const AppState &state, const Look &look, const Arrangement &arrangement, int width, int height,
+    int draw(const AppState &state, const std::array<Look, 4> &looks, const Arrangement &arrangement, int width, int height,
              double pixel_ratio, bool moving);
     /// Whether a pane shows a draft, and should be drawn once more when the view rests.
     bool draft() const;

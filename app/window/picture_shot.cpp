@@ -68,14 +68,28 @@ PictureSpec common_spec(const AppState &state, Layout layout, int width, int hei
 
 std::string tag_of(Strategy strategy) { return std::string("(") + letter(strategy) + ")"; }
 
+/// Without those that the pane has by itself.
+Tone without_own_ranges(Tone tone, const PicturePane &pane, const Look &look) {
+    const Tone own = with_ranges({}, pane, look);
+    if (tone.range == own.range)
+        tone.range.reset();
+    if (look.shading != Shading::error || tone.error_range == own.error_range)
+        tone.error_range.reset();
+    return tone;
+}
+
 PictureShot finished(PictureSpec spec, const AppState &state, const std::filesystem::path &folder) {
     SavedState saved = saved_state(state, folder);
     saved.picture = saved_picture(spec);
     saved.camera = spec.camera;
     saved.cameras.clear();
-    for (const PicturePane &pane : spec.panes)
+    saved.tones.clear();
+    for (const PicturePane &pane : spec.panes) {
         if (pane.camera)
             saved.cameras.push_back(*pane.camera);
+        if (pane.tone)
+            saved.tones.push_back(*pane.tone);
+    }
     saved.look.emphasise_fresh = spec.look.emphasise_fresh;
     saved.look.transparent = spec.look.transparent;
     return {std::move(spec), std::move(saved)};
@@ -94,6 +108,8 @@ PictureShot shot_of_panes(const AppState &state, const std::filesystem::path &fo
                               errors_of(state, pane), minus});
         if (state.has_own_cameras())
             spec.panes.back().camera = state.camera_of(pane);
+        if (state.has_own_tones())
+            spec.panes.back().tone = state.tone_of(pane);
     }
     if (state.pictures.settings.size != PictureSize::panes)
         hold_widths(spec, state.pane_aspect);
@@ -114,6 +130,8 @@ PictureShot shot_of(const AppState &state, const PendingPicture &picture, const 
         spec.panes.push_back({snapshot, tag_of(picture.strategies[pane]), pictured_errors(state, {snapshot, minus}), minus});
         if (state.has_own_cameras() && picture.layout == state.layout)
             spec.panes.back().camera = state.camera_of(static_cast<int>(pane));
+        if (state.has_own_tones() && picture.layout == state.layout)
+            spec.panes.back().tone = state.tone_of(static_cast<int>(pane));
     }
     if (!as_shown && state.pictures.settings.size == PictureSize::panes)
         fit_height(spec, state.pane_aspect);
@@ -129,7 +147,10 @@ PictureShot shot_of(const AppState &state, const PendingPicture &picture, const 
     const auto active = std::ranges::find(picture.strategies, state.active_strategy());
     shot.saved.active = active == picture.strategies.end() ? 0 : static_cast<int>(active - picture.strategies.begin());
     shot.saved.options.strategy = picture.strategies[static_cast<std::size_t>(shot.saved.active)];
-    shot.saved.position = picture.position;
+    shot.saved.position = picture.positions[static_cast<std::size_t>(shot.saved.active)];
+    shot.saved.positions.clear();
+    if (std::ranges::count(picture.positions, shot.saved.position) < std::ssize(picture.positions))
+        shot.saved.positions = picture.positions;
     shot.saved.converged = std::ranges::all_of(
         shot.spec.panes, [](const PicturePane &pane) { return pane.snapshot->counters.converged; });
     return shot;
@@ -144,6 +165,8 @@ std::string command_of(const PictureShot &shot, const Scene &scene) {
         snapshots.push_back(pane.snapshot.get());
     if (saved.look.range == common_range(snapshots))
         saved.look.range.reset();
+    for (std::size_t i = 0; i < saved.tones.size(); ++i)
+        saved.tones[i] = without_own_ranges(saved.tones[i], shot.spec.panes[i], shot.spec.look);
     if (shot.spec.look.shading == Shading::error && saved.look.error_range == error_range(shot.spec.look.error, judged(shot.spec)))
         saved.look.error_range.reset();
     return render_command(saved);

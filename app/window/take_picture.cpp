@@ -22,7 +22,10 @@ namespace {
 bool all_known(const AppState &state) {
     if (state.layout == Layout::difference && !errors_of(state, 1))
         return false;
-    return std::ranges::all_of(state.shown(), [&](Strategy s) { return state.snapshot(s) != nullptr; });
+    for (int pane = 0; pane < n_panes(state.layout); ++pane)
+        if (!state.solution(pane))
+            return false;
+    return true;
 }
 
 void save(AppState &state, const std::filesystem::path &file, const Image &image, const SavedState &saved) {

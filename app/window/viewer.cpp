@@ -9,6 +9,7 @@
 #include "gl/context_lost.h"
 #include "history.h"
 #include "keyhole_verbs.h"
+#include "pane_verbs.h"
 #include "panels/panels.h"
 #include "profile_verbs.h"
 #include "restore.h"
@@ -252,7 +253,7 @@ void Viewer::serve_requests() {
 /// Looked at whenever the window wakes, which is every tenth of a second while the solver is busy. The start is shown in any
 /// case.
 void Viewer::keep_memory_limit() {
-    const bool shows_something = state_.snapshot(state_.active_strategy()) != nullptr;
+    const bool shows_something = state_.active_solution() != nullptr;
     if (!setup_.memory_limit || !state_.busy || state_.halted || !shows_something ||
         resident_mib() <= *setup_.memory_limit)
         return;
@@ -296,7 +297,7 @@ double Viewer::wait_time() {
 }
 
 void Viewer::set_first_view() {
-    const auto snapshot = state_.snapshot(state_.active_strategy());
+    const auto snapshot = state_.active_solution();
     // A view that nobody has touched follows the pane's shape.
     const bool fits = state_.camera_moved || std::abs(state_.pane_aspect / state_.first_aspect - 1) < 0.01;
     if ((state_.camera_is_set && fits) || !snapshot || !state_.scene)
@@ -306,25 +307,6 @@ void Viewer::set_first_view() {
     state_.camera_is_set = true;
     state_.camera_moved = false;
     state_.pivot.reset();
-}
-
-/// One range for all panes and all steps that were computed so far, so that stepping does not change the scale.
-void Viewer::update_range() {
-    if (state_.chosen_range) {
-        state_.look.range = state_.chosen_range;
-        return;
-    }
-    std::vector<const Snapshot *> snapshots;
-    for (const Strategy s : state_.shown())
-        for (const auto &moment : state_.timeline(s).moments)
-            if (moment && moment->peak > 0)
-                snapshots.push_back(moment.get());
-    if (snapshots.empty())
-        for (const Strategy s : state_.shown())
-            if (!state_.timeline(s).moments.empty())
-                snapshots.push_back(state_.timeline(s).moments.front().get());
-    if (!snapshots.empty())
-        state_.look.range = common_range(snapshots);
 }
 
 /// Whether the camera, or the mouse from curve to curve, has moved a moment ago.
@@ -341,9 +323,9 @@ bool Viewer::is_moving() {
     return seconds_since(moved_at_) < rest_seconds;
 }
 
-/// The look as it is drawn now: what is new stands out for a moment only.
-Look Viewer::look_now() const {
-    Look look = state_.shown_look();
+/// A pane's look as it is drawn now: what is new stands out for a moment only.
+Look Viewer::look_now(int pane) const {
+    Look look = state_.look_of(pane);
     look.emphasise_fresh = look.emphasise_fresh && seconds_since(state_.fresh_since) < fresh_seconds;
     look.spotlight = spotlight(state_);
     return look;
@@ -383,8 +365,8 @@ void Viewer::draw_frame() {
         state_, size.x, size.y, top, ImGui::GetFontSize(), [this](float width) { return legend_height(width); });
     state_.pane_aspect = static_cast<double>(arrangement.pane[0].width / arrangement.pane[0].height);
     set_first_view();
-    update_range();
-    update_error_range(state_);
+    update_ranges(state_);
+    update_error_ranges(state_);
     update_profile(state_);
     draw_panels(arrangement);
     set_first_view(); // where a panel has asked for it
@@ -393,7 +375,7 @@ void Viewer::draw_frame() {
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
     if (width > 0 && height > 0)
-        canvas_.draw(state_, look_now(), arrangement, width, height, window_.pixel_ratio(), moving);
+        canvas_.draw(state_, {look_now(0), look_now(1), look_now(2), look_now(3)}, arrangement, width, height, window_.pixel_ratio(), moving);
     window_.draw_interface();
     take_pictures();
     window_.swap();

@@ -67,9 +67,8 @@ private:
     void keep_memory_limit();
     double wait_time();
     void set_first_view();
-    void update_range();
     bool is_moving();
-    Look look_now() const;
+    Look look_now(int pane) const;
     float legend_height(float width) const;
     void draw_frame();
     void draw_panels(const struct Arrangement &arrangement);

@@ -277,7 +277,10 @@ TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
           "render figure-4 -o a.png --profile \"0 0 0 1 1\"", "render figure-4 -o a.png --range 2:1",
           "render figure-4 -o a.png --view \"1 2 3\"", "render figure-4 -o a.png --layout triple",
           "render figure-4 -o a.png --layout wipe --panes a,b,c", "render figure-4 -o a.png --layout difference --panes d",
-          "render figure-4 -o a.png --wipe 1.5", "render figure-4 -o a.png --pane-camera \"1 2 3\"",
+          "render figure-4 -o a.png --wipe 1.5", "render figure-4 -o a.png --pane-steps \"0 refine\"",
+          "render figure-4 -o a.png --pane-steps \"1 reed\"", "render figure-4 -o a.png --pane-steps 1 --steps 1",
+          "render figure-4 -o a.png --pane-range 2:1", "render figure-4 -o a.png --pane-exposure 41",
+          "render figure-4 -o a.png --pane-camera \"1 2 3\"",
           "render figure-4 -o a.png --curve -1", "render figure-4 -o a.png --curve-kinds VE,XY",
           "render figure-4 -o a.png --curve-orders 3", "render figure-4 -o a.png --steps -1", "paper"}) {
         EXPECT_EQ(run(wrong), 2) << wrong;
@@ -286,6 +289,10 @@ TEST_F(PictureCommands, WrongUseBadInputAndNoPlaceHaveTheirStatuses) {
     EXPECT_EQ(run("render nowhere.obj -o a.png"), 3);
     EXPECT_EQ(run("render figure-4 -o a.png --panes a,d --pane-camera \"3 -4 3 0 0 0 0 0 1 30\""), 3);
     EXPECT_THAT(text(folder / ".err"), testing::HasSubstr("there are 1 for 2 panes; give one for each"));
+    for (const char *given : {"--pane-exposure 1", "--pane-steps 3", "--pane-range own"})
+        EXPECT_EQ(run("render figure-4 -o a.png --panes a,d " + std::string(given)), 3) << given;
+    EXPECT_EQ(run("render figure-4 -o a.png --panes a,d --layout wipe --pane-range own --pane-range own"), 3);
+    EXPECT_THAT(text(folder / ".err"), testing::HasSubstr("there are 2 for panes in one place; give one for each"));
     EXPECT_EQ(run("render figure-4 -o no/such/folder/a.png"), 5);
     std::ofstream(folder / "file") << "in the way";
     EXPECT_EQ(run("paper -o file/out"), 5);

@@ -64,6 +64,8 @@ const std::map<std::string, Expected> &expectations() {
         {"view.flip", {"/layout", "flip", {}}},
         {"view.difference", {"/layout", "difference", {}}},
         {"view.unlink", {"/cameras", nullptr, {"view.two"}}},
+        {"view.unlink_tones", {"/tones", nullptr, {"view.two"}}},
+        {"view.unlink_steps", {"/positions", nullptr, {"view.two"}}},
         {"view.lecture", {"/ui_scale", 1.5, {}}},
         {"view.compare", {"/strategies", Json{"uniform-wavelet", "discontinuity-wavelet"}, {"strategy.d"}}},
         {"view.inspect", {"/layers/links", true, {}}},
@@ -115,7 +117,7 @@ const std::map<std::string, Expected> &expectations() {
 }
 
 /// Left again afterwards by the same key, so that it can't disturb what follows.
-const std::set<std::string> switches{"file.open",          "solve.play", "solve.animate", "view.panels",  "view.theme", "view.unlink", "view.keyhole",
+const std::set<std::string> switches{"file.open",          "solve.play", "solve.animate", "view.panels",  "view.theme", "view.unlink", "view.unlink_tones", "view.unlink_steps", "view.keyhole",
                                      "view.inspector", "view.filters",       "view.hard_cases", "view.cost", "view.effects", "view.objects", "view.profile", "layers.error", "layers.lock_range", "edit.palette",
                                      "layers.mesh",        "layers.curves", "layers.links", "layers.fresh",
                                      "layers.false_colour", "layers.legend", "help.keys", "help.tour"};

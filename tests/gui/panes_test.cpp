@@ -227,6 +227,9 @@ TEST_F(PanesTest, TheDifferenceIsTheSecondMinusTheFirst) {
     EXPECT_EQ(share_that_differs(of_d, session.shot(), part(0, 1)), 0);
 }
 
+/// What of the panes lies clear of labels and frames.
+Box clear_part(const Box &b) { return {b.x + 8, b.y + 90, b.width - 16, b.height - 130}; }
+
 TEST_F(PanesTest, UnlinkedViewsMoveAloneUntilTheyAreLinkedAgain) {
     const Json two = enter("ctrl+2", "two");
     EXPECT_EQ(two["cameras"], Json::array());
@@ -245,9 +248,8 @@ TEST_F(PanesTest, UnlinkedViewsMoveAloneUntilTheyAreLinkedAgain) {
     const Json turned = session.settled();
     EXPECT_EQ(turned["cameras"][1], unlinked["cameras"][1]);
     const Screenshot after = session.shot();
-    const auto inside = [](const Box &b) { return Box{b.x + 8, b.y + 90, b.width - 16, b.height - 130}; };
-    EXPECT_EQ(share_that_differs(before, after, inside(right)), 0);
-    EXPECT_GT(changed_share(before, after, inside(left)), 0.05);
+    EXPECT_EQ(share_that_differs(before, after, clear_part(right)), 0);
+    EXPECT_GT(changed_share(before, after, clear_part(left)), 0.05);
     // What is saved comes back.
     session.key("ctrl+s");
     const Json saved = session.wait_until("the state", [](const Json &s) { return s["saved"] != ""; });
@@ -259,6 +261,85 @@ TEST_F(PanesTest, UnlinkedViewsMoveAloneUntilTheyAreLinkedAgain) {
     press("shift+l");
     session.drop(saved["saved"].get<std::string>());
     session.wait_until("as it was saved", [&](const Json &s) { return s["cameras"] == turned["cameras"] && s["layout"] == "two"; });
+}
+
+TEST_F(PanesTest, UnlinkedExposureAndRangeAreThePanesOwn) {
+    press("k"); // follows what is shown
+    enter("ctrl+2", "two");
+    EXPECT_EQ(session.state()["tones"], Json::array());
+    press("shift+k");
+    const Json unlinked = session.wait_until("unlinked", [](const Json &s) { return s["tones"].size() == 2; });
+    EXPECT_EQ(unlinked["active"], 1);
+    const Box left = clear_part(session.widget("pane 0")), right = clear_part(session.widget("pane 1"));
+    session.move({4, 500});
+    const Screenshot before = session.shot();
+    press("e");
+    press("e");
+    const Json brighter = session.settled();
+    EXPECT_EQ(brighter["tones"][0]["exposure"], 0.0);
+    EXPECT_EQ(brighter["tones"][1]["exposure"], 1.0);
+    const Screenshot bright = session.shot();
+    EXPECT_EQ(share_that_differs(before, bright, left), 0);
+    EXPECT_GT(changed_share(before, bright, right), 0.05);
+    // The other pane's own comes with it.
+    press("shift+Tab");
+    press("shift+e");
+    press("k");
+    const Json darker = session.settled();
+    EXPECT_EQ(darker["active"], 0);
+    EXPECT_EQ(darker["exposure"], -0.5);
+    EXPECT_EQ(darker["tones"][0]["exposure"], -0.5);
+    EXPECT_EQ(darker["tones"][0]["range_chosen"], true);
+    EXPECT_EQ(darker["tones"][1], brighter["tones"][1]);
+    // What is saved comes back, and what is linked again has the active pane's.
+    session.key("ctrl+s");
+    const Json saved = session.wait_until("the state", [](const Json &s) { return s["saved"] != ""; });
+    press("shift+k");
+    const Json linked = session.wait_until("linked", [](const Json &s) { return s["tones"].empty(); });
+    EXPECT_EQ(linked["exposure"], -0.5);
+    session.key("ctrl+z");
+    session.wait_until("undone", [&](const Json &s) { return s["tones"] == darker["tones"]; });
+    press("shift+k");
+    session.drop(saved["saved"].get<std::string>());
+    session.wait_until("as it was saved", [&](const Json &s) { return s["tones"] == darker["tones"] && s["layout"] == "two"; });
+}
+
+TEST_F(PanesTest, UnlinkedStepsMoveAlone) {
+    press("ctrl+2");
+    press("Home");
+    session.wait_until("the start", [](const Json &s) { return s["position"] == 0; });
+    press("shift+s");
+    EXPECT_EQ(session.settled()["positions"], Json({0, 0}));
+    press("Right");
+    press("shift+Right");
+    const Json moved = session.settled();
+    EXPECT_EQ(moved["positions"], Json({0, 4}));
+    EXPECT_EQ(moved["panes"][0]["iteration"], 0);
+    EXPECT_EQ(moved["panes"][1]["iteration"], 2);
+    EXPECT_EQ(moved["panes"][1]["phase"], "refine");
+    press("shift+Tab"); // with the step of its own
+    EXPECT_EQ(session.settled()["position"], 0);
+    press("Right");
+    press("4"); // the same strategy in both, at two steps
+    const Json same = session.settled();
+    EXPECT_EQ(same["positions"], Json({3, 4}));
+    EXPECT_EQ(same["panes"][0]["strategy"], same["panes"][1]["strategy"]);
+    EXPECT_EQ(same["panes"][0]["iteration"], 1);
+    EXPECT_EQ(same["panes"][1]["iteration"], 2);
+    session.key("ctrl+s");
+    const Json saved = session.wait_until("the state", [](const Json &s) { return s["saved"] != ""; });
+    press("w"); // one place, two steps; the left is the active one
+    const Json wipe = session.settled();
+    EXPECT_EQ(wipe["layout"], "wipe");
+    EXPECT_EQ(wipe["positions"], Json({3, 4}));
+    press("shift+s");
+    const Json linked = session.settled();
+    EXPECT_EQ(linked["positions"], Json::array());
+    EXPECT_EQ(linked["panes"][1]["iteration"], 1) << "the active pane's";
+    session.drop(saved["saved"].get<std::string>());
+    session.wait_until("as it was saved", [&](const Json &s) {
+        return s["positions"] == Json({3, 4}) && s["layout"] == "two" && !s["busy"] && s["panes"][1].value("iteration", 0) == 2;
+    });
 }
 
 TEST_F(PanesTest, AStateBringsWipeFlipAndDifferenceBack) {

@@ -65,6 +65,18 @@ void expect_same_picture(Session &session, const std::string &stem = "figure-4")
     EXPECT_LT(share_that_differs(saved, copied), 0.003);
 }
 
+TEST(Pictures, StepsAndExposuresOfTheirOwnAreInTheCopiedLine) {
+    Session session;
+    for (const char *key : {"ctrl+2", "shift+s", "Right", "shift+Tab", "shift+Right", "shift+k", "e", "shift+Tab", "c"}) {
+        session.key(key);
+        session.settled();
+    }
+    expect_same_picture(session);
+    const auto line = session.state()["pictures"]["command"].get<std::string>();
+    for (const char *part : {"--pane-steps '1 refine' --pane-steps 1", "--pane-exposure 0.5 --pane-exposure 0 ", "--pane-range own --pane-range own"})
+        EXPECT_NE(line.find(part), std::string::npos) << part << " in " << line;
+}
+
 TEST(Pictures, TheCopiedLineMakesTheSamePicture) {
     Session session;
     session.key("Right");

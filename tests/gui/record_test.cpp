@@ -172,6 +172,26 @@ TEST_F(RecordTest, PanesInOnePlaceAndViewsOfTheirOwnArePlayedAgain) {
     EXPECT_NE(text_of(file).find("wipe 0."), std::string::npos) << text_of(file);
 }
 
+TEST_F(RecordTest, StepsAndExposuresOfTheirOwnArePlayedAgain) {
+    Json recorded;
+    {
+        Session session({"--record", file.string()});
+        session.settled();
+        for (const char *key : {"ctrl+2", "shift+s", "Right", "shift+Tab", "shift+Right", "shift+k", "e", "shift+Tab", "shift+e", "k",
+                                "shift+k", "ctrl+z", "shift+Tab", "Right"}) {
+            session.key(key);
+            session.settled();
+        }
+        recorded = session.settled();
+    }
+    EXPECT_EQ(recorded["positions"], Json({3, 3}));
+    ASSERT_EQ(recorded["tones"].size(), 2u) << recorded["tones"];
+    EXPECT_EQ(recorded["tones"][0]["exposure"], 0.5);
+    EXPECT_EQ(recorded["tones"][1]["exposure"], -0.5);
+    const Json again = played();
+    EXPECT_EQ(joined(differences(recorded, again)), "") << text_of(file);
+}
+
 TEST_F(RecordTest, WhatIsPickedAndMovedIsPlayedAgain) {
     Json recorded;
     {
@@ -319,6 +339,16 @@ TEST(Record, ChangesHaveLines) {
     EXPECT_EQ(line([](Scripted &s) { s.set.look.curve_filter.kinds = {}; }), "show --curve-kinds none\n");
     EXPECT_EQ(line([](Scripted &s) { s.pictures = {PictureSize::full_hd, 2, true, false}; }), "pictures 1920x1080 2 transparent no-labels\n");
     EXPECT_EQ(line([](Scripted &s) { s.inspector = Inspector::cost; }), "view.cost\n");
+    EXPECT_EQ(line([](Scripted &s) {
+                  s.set.layout = Layout::two;
+                  s.set.steps_unlinked = true;
+                  s.set.look.exposure_ev = 1;
+                  s.set.pane_tones.emplace();
+                  (*s.set.pane_tones)[0].range = Range{0, 2};
+                  (*s.set.pane_tones)[1].exposure_ev = 1;
+              }),
+              "panes a d\nview.unlink_steps\nshow --exposure 1\nview.unlink_tones\nview.next_pane\nshow --exposure 0 --range "
+              "0:2\nview.next_pane\n");
     EXPECT_EQ(line([](Scripted &s) {
                   s.set.layout = Layout::two;
                   s.set.pane_sets[1].active = 0;

@@ -42,6 +42,9 @@ SavedState unusual() {
     s.cameras = {Camera{{3, 1, 1.0 / 3}, {0, 0, 0}, {0, 0, 1}, 31}, Camera{{0.1, 2, 1}, {0, 1, 0}, {0, 0, 1}, 30}, Camera{{1, 7, 1}, {0, 0, 0}, {0, 1, 0}, 29}};
     s.active = 1;
     s.position = 4;
+    s.positions = {3, 4, 10};
+    s.tones = {Tone{-1.7, Range{0.1, 1e-3 + 0.1}, Range{1e-5, 1.0 / 3}, true, true}, Tone{0.1 + 0.2, {}, {}, false, false},
+               Tone{0, Range{0, 2}, {}, false, false}};
     s.split = 3;
     s.linking = 5;
     s.converged = true;
@@ -81,6 +84,8 @@ TEST(ReadState, WhatIsWrittenComesBackToTheLastBit) {
     const SavedState s = unusual(), again = read_state("a", state_text(s));
     EXPECT_EQ(again.camera, s.camera);
     EXPECT_EQ(again.cameras, s.cameras);
+    EXPECT_EQ(again.positions, s.positions);
+    EXPECT_EQ(again.tones, s.tones);
     EXPECT_EQ(again.wipe, s.wipe);
     EXPECT_EQ(again.look, s.look);
     EXPECT_EQ(again.keyhole, s.keyhole);
@@ -227,6 +232,15 @@ TEST(ReadState, EachFaultIsOneLineWithFieldValueAndRemedy) {
         {R"("cameras": [{"eye": [1, 2, 3], "target": [1, 2, 3]}])", "cameras[0] has its eye in its target; move"},
         {R"("strategies": ["uniform-constant", "uniform-wavelet"], "layout": "wipe", "cameras": [{"eye": [1, 2, 3], "target": [0, 0, 0]}])",
          "cameras has 1 views, and layout 'wipe' has one place; leave them out"},
+        {R"("positions": [3, 4])", "positions has 2 steps; give one for each of the 1 strategies, or none"},
+        {R"("positions": [-1])", "positions[0] is -1; give a whole number"},
+        {R"("tones": [{}, {}])", "tones has 2 exposures; give one for each of the 1 strategies, or none"},
+        {R"("tones": [{"exposure": 41}])", "tones[0].exposure is 41; give a number from -40 to 40"},
+        {R"("tones": [{"range": [2, 1]}])", "tones[0].range is 2 to 1; give the low end first"},
+        {R"("error": {"kind": "patch"}, "tones": [{"error_range": [-1, 1]}])",
+         "tones[0].error_range has a low end that is not above 0, as the kind asks for"},
+        {R"("strategies": ["uniform-constant", "uniform-wavelet"], "layout": "wipe", "tones": [{}, {}])",
+         "tones has 2 exposures, and layout 'wipe' has one place; leave them out"},
         {R"("layers": {"mesh": "yes"})", "layers.mesh is 'yes'; give true or false"},
         {R"("curves": {"kinds": ["EE"]})", "curves.kinds[0] is 'EE'; give VE, EV"},
         {R"("curves": {"orders": [3]})", "curves.orders[0] is 3; give a whole number from 0 to 2"},
