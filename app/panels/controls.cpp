@@ -1,6 +1,7 @@
 #include "panels/controls.h"
 
 #include "core/check.h"
+#include "panels/shortened.h"
 #include "paper_lines.h"
 
 #include <algorithm>
@@ -109,6 +110,15 @@ void tooltip(const std::string &title, std::string_view sentence, std::string_vi
         ImGui::TextDisabled("%s", paper.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+void text_that_fits(AppState &state, const std::string &whole, float width, const char *name, const char *title) {
+    const std::string shown = shortened(whole, width);
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown == whole)
+        return;
+    mark(state, name);
+    tooltip(title, whole);
 }
 
 void action_button(AppState &state, std::string_view id, const char *text, ImVec2 size) {

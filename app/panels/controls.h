@@ -59,6 +59,8 @@ void figure(const char *name, const std::string &value, const char *tooltip = nu
 void field_label(const char *text);
 /// What the mouse tells about the last item: title and key, a plain sentence, and what the paper calls it (paper_lines.h).
 void tooltip(const std::string &title, std::string_view sentence, std::string_view key = {}, const std::string &paper = {});
+/// As much of the text as fits; where that is not all, the mouse tells the whole of it, under this name and title.
+void text_that_fits(AppState &state, const std::string &whole, float width, const char *name, const char *title);
 /// Notes that the last item, which is hovered, tells this in a tooltip of its own.
 void note_told(const std::string &title, std::string_view sentence, const std::string &paper = {});
 

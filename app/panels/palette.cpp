@@ -73,6 +73,11 @@ void draw_palette(AppState &state) {
     for (std::size_t i = 0; i < entries.size() && state.palette.open; ++i)
         draw_entry(state, entries[i], static_cast<int>(i) == state.palette.chosen);
     ImGui::EndChild();
+    if (!entries.empty()) { // whole, where the line above has no room for it
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("%s", entries[static_cast<std::size_t>(state.palette.chosen)].help.c_str());
+        ImGui::PopTextWrapPos();
+    }
     if (entered && state.palette.open && !entries.empty() &&
         entries[static_cast<std::size_t>(state.palette.chosen)].enabled)
         choose(state, entries[static_cast<std::size_t>(state.palette.chosen)]);

@@ -1,7 +1,6 @@
 // Below the panes: the radiosity along the line, and the line in the panes.
 #include "panels/controls.h"
 #include "panels/panels.h"
-#include "panels/shortened.h"
 #include "plot/draw_list_canvas.h"
 #include "render/profile_mark.h"
 
@@ -25,7 +24,7 @@ void draw_profile_panel(AppState &state, const WindowRect &rect, const Fonts &fo
     if (mode.exact.empty())
         heading += state.truth.halted ? ";  the truth was not looked for" : ";  " + state.truth.doing + "\u2026";
     const float close = ImGui::GetWindowContentRegionMax().x - em(1.6f);
-    ImGui::TextUnformatted(shortened(heading, close - em(1)).c_str());
+    text_that_fits(state, heading, close - em(1), "profile heading", "Profile");
     ImGui::SameLine(close);
     action_button(state, "view.profile", "\u00d7", {em(1.6f), 0});
     const ImVec2 low = ImGui::GetCursorScreenPos();

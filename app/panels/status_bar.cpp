@@ -1,6 +1,5 @@
 #include "panels/controls.h"
 #include "panels/panels.h"
-#include "panels/shortened.h"
 #include "panels/words.h"
 #include "picture_verbs.h"
 #include "truth_verbs.h"
@@ -31,12 +30,7 @@ void draw_status_bar(AppState &state, const WindowRect &rect) {
     const std::string right = facts(state);
     const float place = std::max(em(1), ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(right.c_str()).x);
     const std::string whole = !progress.empty() ? progress : state.message.error ? "" : state.message.text;
-    const std::string shown = shortened(whole, place - em(1.5f));
-    ImGui::TextUnformatted(shown.c_str());
-    if (shown != whole) {
-        mark(state, "message");
-        tooltip("What just happened", whole);
-    }
+    text_that_fits(state, whole, place - em(1.5f), "message", "What just happened");
     ImGui::SameLine(place);
     ImGui::TextDisabled("%s", right.c_str());
     ImGui::End();
