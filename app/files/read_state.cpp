@@ -176,13 +176,18 @@ Camera read_camera(const JsonValue &json) {
     return camera;
 }
 
-/// Of panes side by side that are not linked.
-void read_cameras(const JsonValue &list, SavedState &state) {
+/// How many there are of what panes have of their own: none, or one for each; of views and exposures only side by side.
+std::size_t number_by_pane(const JsonValue &list, const SavedState &state, const char *what, bool side_by_side = true) {
     const std::size_t n = list.size(), n_panes = state.strategies.size();
-    if (n > 0 && state.layout)
-        list.fail(fmt::format("has {} views, and layout {} has one place; leave them out", n, in_quotes(name(*state.layout))));
+    if (n > 0 && state.layout && side_by_side)
+        list.fail(fmt::format("has {} {}, and layout {} has one place; leave them out", n, what, in_quotes(name(*state.layout))));
     if (n > 0 && n != n_panes)
-        list.fail(fmt::format("has {} views; give one for each of the {} strategies, or none", n, n_panes));
+        list.fail(fmt::format("has {} {}; give one for each of the {} strategies, or none", n, what, n_panes));
+    return n;
+}
+
+void read_cameras(const JsonValue &list, SavedState &state) {
+    const std::size_t n = number_by_pane(list, state, "views");
     for (std::size_t i = 0; i < n; ++i)
         state.cameras.push_back(read_camera(list.at(i)));
 }
@@ -226,11 +231,7 @@ Range read_error_range(const JsonValue &json, ErrorKind kind) {
 
 /// After the look: what kind of errors there are.
 void read_tones(const JsonValue &list, SavedState &state) {
-    const std::size_t n = list.size(), n_panes = state.strategies.size();
-    if (n > 0 && state.layout)
-        list.fail(fmt::format("has {} exposures, and layout {} has one place; leave them out", n, in_quotes(name(*state.layout))));
-    if (n > 0 && n != n_panes)
-        list.fail(fmt::format("has {} exposures; give one for each of the {} strategies, or none", n, n_panes));
+    const std::size_t n = number_by_pane(list, state, "exposures");
     for (std::size_t i = 0; i < n; ++i) {
         const JsonValue json = list.at(i);
         Tone &tone = state.tones.emplace_back();
@@ -248,9 +249,7 @@ void read_tones(const JsonValue &list, SavedState &state) {
 }
 
 void read_positions(const JsonValue &list, SavedState &state) {
-    const std::size_t n = list.size(), n_panes = state.strategies.size();
-    if (n > 0 && n != n_panes)
-        list.fail(fmt::format("has {} steps; give one for each of the {} strategies, or none", n, n_panes));
+    const std::size_t n = number_by_pane(list, state, "steps", false);
     for (std::size_t i = 0; i < n; ++i)
         state.positions.push_back(static_cast<int>(list.at(i).integer(0, phases_per_iteration * most_iterations)));
 }

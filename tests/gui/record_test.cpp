@@ -207,14 +207,7 @@ TEST_F(RecordTest, WhatIsPickedAndMovedIsPlayedAgain) {
         const Json picked = session.wait_until("an element", [](const Json &s) { return s["inspected"].contains("links") && !s["busy"]; });
         ASSERT_FALSE(picked["inspected"]["links"].empty());
         session.settled();
-        session.key("o");
-        session.wait_until("the objects", [](const Json &s) { return s["inspector"] == "objects"; });
-        const Json objects = session.settled();
-        for (const auto &[name, box] : objects["widgets"].items())
-            if (name.starts_with("object.")) {
-                session.click(name);
-                break;
-            }
+        session.take_first_object();
         session.wait_until("one in hand", [](const Json &s) { return !s["object"].is_null(); });
         session.settled();
         const Box size = session.widget("object size");

@@ -76,14 +76,7 @@ TEST_F(TwiceAsLarge, TheInspectorsAreWhole) {
                                                         {"y", "effects"},   {"o", "objects"},    {"ctrl+shift+b", "bookmarks"}};
     for (const auto &[key, what] : inspectors)
         look(key, what);
-    session.key("o");
-    session.wait_until("the objects", [](const Json &s) { return s["inspector"] == "objects"; });
-    const Json objects = session.settled();
-    for (const auto &[name, box] : objects["widgets"].items())
-        if (name.starts_with("object.")) {
-            session.click(name);
-            break;
-        }
+    session.take_first_object();
     expect_whole("an object");
     session.key("ctrl+b");
     look("ctrl+shift+b", "a bookmark");

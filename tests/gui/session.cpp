@@ -212,6 +212,17 @@ std::string Session::log() const { return text_of(root_ / "log"); }
 
 void Session::end_display() { screen_.reset(); }
 
+void Session::take_first_object() {
+    key("o");
+    wait_until("the objects", [](const Json &s) { return s["inspector"] == "objects"; });
+    const Json objects = settled();
+    for (const auto &[name, box] : objects["widgets"].items())
+        if (name.starts_with("object.")) {
+            click(name);
+            break;
+        }
+}
+
 Screenshot Session::shot() {
     settled();
     return screen_->shot();

@@ -83,6 +83,8 @@ public:
     Box widget(const std::string &name) const;
     void click(const std::string &widget_name);
     Point middle(const std::string &widget_name) const;
+    /// Opens the list of objects and takes its first in hand.
+    void take_first_object();
     Screenshot shot();
 
     Process &program() { return *program_; }
