@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct PictureMode {
     PictureSettings settings;
     bool settings_open = false;
     std::deque<PendingPicture> pending; ///< in their order
+    std::optional<double> drawn; ///< share of the picture that is being drawn, the first of them or another; none: none is
     std::string command;                ///< copied last
 };
 

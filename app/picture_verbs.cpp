@@ -24,6 +24,8 @@ bool is_there(const AppState &state, Strategy strategy, int position) {
 void begin(AppState &state, std::deque<PendingPicture> pictures) {
     state.playing = false;
     state.truth.halted = false;
+    if (!state.pictures.pending.empty()) // the first of which may be in hand
+        state.pictures.drawn.reset();
     state.pictures.pending = std::move(pictures);
 }
 
@@ -89,8 +91,9 @@ void picture_all_steps(AppState &state) {
 }
 
 void drop_pictures(AppState &state) {
-    const std::size_t n = state.pictures.pending.size();
+    const std::size_t n = std::max<std::size_t>(state.pictures.pending.size(), 1); // that is drawn without having waited
     state.pictures.pending.clear();
+    state.pictures.drawn.reset();
     state.cancel_request |= state.halted; // else the solver's goal is again what is shown
     state.message = {n == 1 ? "No picture was taken." : fmt::format("{} pictures were not taken.", n), false};
 }
@@ -173,6 +176,9 @@ std::vector<Judging> to_be_judged(const AppState &state) {
 }
 
 std::string picture_progress(const AppState &state) {
+    const std::string title = state.pictures.pending.empty() ? "The picture" : state.pictures.pending.front().title;
+    if (state.pictures.drawn)
+        return fmt::format("{} is being drawn: {:.0f} %. Esc gives it up.", title, 100 * *state.pictures.drawn);
     if (state.pictures.pending.empty())
         return {};
     const PendingPicture &picture = state.pictures.pending.front();

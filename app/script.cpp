@@ -9,7 +9,7 @@
 namespace penumbra {
 
 bool at_rest(const AppState &state) {
-    if (state.busy || state.playing || !state.opening.empty() || state.open_request || state.picture_request ||
+    if (state.busy || state.playing || !state.opening.empty() || state.open_request || state.picture_request || state.pictures.drawn ||
         state.state_request || state.shelf.checking || state.truth.busy || state.quit_request)
         return false;
     if (!state.scene)

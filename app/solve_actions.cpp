@@ -36,7 +36,7 @@ void cancel(AppState &s) {
         s.message = {"The script was stopped at its line " + std::to_string(s.script.line) + ".", false};
     } else if (s.help_open || s.open_dialog || s.pictures.settings_open) {
         s.help_open = s.open_dialog = s.pictures.settings_open = false;
-    } else if (!s.pictures.pending.empty()) {
+    } else if (!s.pictures.pending.empty() || s.pictures.drawn) {
         drop_pictures(s);
     } else if (s.pinned_curve) {
         s.pinned_curve.reset();

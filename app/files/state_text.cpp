@@ -170,6 +170,7 @@ Json pictures(const PictureMode &mode) {
     const PictureSettings &settings = mode.settings;
     const PixelSize size = pixels_of(settings.size);
     return {{"pending", mode.pending.size()},
+            {"drawn", mode.drawn ? Json(*mode.drawn) : Json()},
             {"settings_open", mode.settings_open},
             {"size", size.width == 0 ? Json("panes") : Json::array({size.width, size.height})},
             {"supersample", settings.supersample},
@@ -246,7 +247,7 @@ std::string observed_state_text(const AppState &s) {
         awaits |= s.awaits_reconstruction(i);
     }
     j["run"] = s.run;
-    j["busy"] = s.busy.has_value() || s.truth.busy || awaits || awaits_report(s) || !s.pictures.pending.empty();
+    j["busy"] = s.busy.has_value() || s.truth.busy || awaits || awaits_report(s) || !s.pictures.pending.empty() || s.pictures.drawn.has_value();
     j["judging"] = {
         {"busy", s.truth.busy}, {"doing", s.truth.doing}, {"halted", s.truth.halted}, {"truth_error", s.truth.error}};
     j["profiling"] = profile(s.profile);

@@ -23,10 +23,14 @@ Overlay::Overlay(int width, int height, float text)
     ImGui::NewFrame();
 }
 
+void Overlay::enter() { ImGui::SetCurrentContext(context_); }
+void Overlay::leave() { ImGui::SetCurrentContext(outer_); }
+
 Overlay::~Overlay() {
+    enter();
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(context_);
-    ImGui::SetCurrentContext(outer_);
+    leave();
 }
 
 ImDrawList &Overlay::list() { return *ImGui::GetBackgroundDrawList(); }

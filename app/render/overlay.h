@@ -14,6 +14,10 @@ public:
     Overlay(const Overlay &) = delete;
     Overlay &operator=(const Overlay &) = delete;
 
+    /// Its context is current from its making on; leave() gives the outer one back, and enter() takes it again.
+    void enter();
+    void leave();
+
     const Fonts &fonts() const { return fonts_; }
     /// Collects what is to be drawn; coordinates in pixels from the upper left.
     ImDrawList &list();

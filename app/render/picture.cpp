@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace penumbra {
 namespace {
@@ -234,6 +235,13 @@ PictureSpec enlarged(const PictureSpec &spec, const std::vector<const Snapshot *
     return large;
 }
 
+std::vector<const Snapshot *> snapshots_of(const PictureSpec &spec) {
+    std::vector<const Snapshot *> all;
+    for (const PicturePane &pane : spec.panes)
+        all.push_back(pane.snapshot.get());
+    return all;
+}
+
 } // namespace
 
 Tone with_ranges(Tone tone, const PicturePane &pane, const Look &look) {
@@ -263,34 +271,64 @@ double pane_aspect(const PictureSpec &spec) {
     return l.views.empty() ? 1 : l.views.front().aspect();
 }
 
-Image draw_picture(const PictureSpec &spec, int tile_side) {
-    const gl::BoundFramebuffer before;
+struct PictureDrawing::Parts {
     std::vector<const Snapshot *> snapshots;
-    for (const PicturePane &pane : spec.panes)
-        snapshots.push_back(pane.snapshot.get());
-    const PictureSpec large = enlarged(spec, snapshots);
-    Overlay overlay(large.width, large.height, text_height(large));
-    const Layout l = layout(large, measure(large, overlay.fonts(), snapshots));
-    draw_words(overlay.list(), overlay.fonts(), large, l, snapshots);
-
+    PictureSpec large;
+    Overlay overlay;
+    Layout layout;
     std::vector<std::unique_ptr<PaneRenderer>> renderers;
-    for (const PicturePane &pane : large.panes) {
-        renderers.push_back(std::make_unique<PaneRenderer>());
-        renderers.back()->upload(pane.snapshot, pane.errors);
+    TiledDrawing tiles;
+
+    Parts(const PictureSpec &spec, int tile_side)
+        : snapshots(snapshots_of(spec)), large(enlarged(spec, snapshots)), overlay(large.width, large.height, text_height(large)),
+          layout(penumbra::layout(large, measure(large, overlay.fonts(), snapshots))),
+          tiles({spec.width, spec.height, spec.supersample, tile_side, large.look.transparent,
+                 large.look.transparent ? glm::vec4(0) : background_colour(large.look.theme)}) {
+        draw_words(overlay.list(), overlay.fonts(), large, layout, snapshots);
+        for (const PicturePane &pane : large.panes) {
+            renderers.push_back(std::make_unique<PaneRenderer>());
+            renderers.back()->upload(pane.snapshot, pane.errors);
+        }
+        overlay.leave();
     }
-    const PixelScale scale{overlay.fonts().size / 15.0};
-    const glm::vec4 background = large.look.transparent ? glm::vec4(0) : background_colour(large.look.theme);
-    Image image = draw_in_tiles(
-        {spec.width, spec.height, spec.supersample, tile_side, large.look.transparent, background},
+};
+
+PictureDrawing::PictureDrawing(const PictureSpec &spec, int tile_side) {
+    const gl::BoundFramebuffer before;
+    parts_ = std::make_unique<Parts>(spec, tile_side);
+}
+
+PictureDrawing::~PictureDrawing() = default;
+
+bool PictureDrawing::draw_tile() {
+    const gl::BoundFramebuffer before;
+    Parts &p = *parts_;
+    const PixelScale scale{p.overlay.fonts().size / 15.0};
+    p.overlay.enter();
+    const bool drawn = p.tiles.draw_tile(
         [&](const PixelRect &tile) {
-            for (std::size_t i = 0; i < renderers.size(); ++i)
-                renderers[i]->draw(large.panes[i].camera.value_or(large.camera), look_of(large, large.panes[i]), l.views[i], large.height, scale,
-                                   tile, l.parts[i]);
+            for (std::size_t i = 0; i < p.renderers.size(); ++i) {
+                const PicturePane &pane = p.large.panes[i];
+                p.renderers[i]->draw(pane.camera.value_or(p.large.camera), look_of(p.large, pane), p.layout.views[i], p.large.height,
+                                     scale, tile, p.layout.parts[i]);
+            }
         },
-        [&](const PixelRect &tile) { overlay.draw(tile); });
+        [&](const PixelRect &tile) { p.overlay.draw(tile); });
+    p.overlay.leave();
     if (gl::context_is_lost())
         throw Unavailable("the graphics driver has lost what the picture was drawn with; try again");
-    return image;
+    return drawn;
+}
+
+double PictureDrawing::share() const { return parts_->tiles.share(); }
+
+Image PictureDrawing::take() && { return std::move(parts_->tiles).take(); }
+
+Image draw_picture(const PictureSpec &spec, int tile_side) {
+    PictureDrawing drawing(spec, tile_side);
+    while (drawing.draw_tile()) {
+    }
+    return std::move(drawing).take();
 }
 
 } // namespace penumbra

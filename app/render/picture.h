@@ -53,13 +53,31 @@ Tone with_ranges(Tone tone, const PicturePane &pane, const Look &look);
 /// What its panes show, for error_range().
 std::vector<Judged> judged(const PictureSpec &spec);
 
-/// Larger pictures than the driver's framebuffers are drawn in tiles of at most this side [pixels].
-inline constexpr int largest_tile = 2048;
+/// Larger pictures are drawn in tiles of at most this side [samples]: no driver's framebuffers are smaller, and the window goes on
+/// between two of them.
+inline constexpr int largest_tile = 1024;
 
-/// Draws in the current context into framebuffers of its own and reads them back; leaves the bound framebuffer and the
-/// ImGui context as they were. Supersampling averages light, not sRGB: mean of a tile's samples after decoding (IEC
+/// A picture that is drawn tile by tile in the current context, into framebuffers of its own. Each call leaves the bound
+/// framebuffer and the ImGui context as they were. Supersampling averages light, not sRGB: mean of a tile's samples after decoding (IEC
 /// 61966-2-1). With a transparent look the image has alpha, and labels stand on plates of the theme's background, to be
 /// read on anything; over that background it is the picture that is not transparent, but for what a plate covers. tests/golden/tiles_test.cpp
+class PictureDrawing {
+public:
+    explicit PictureDrawing(const PictureSpec &spec, int tile_side = largest_tile);
+    ~PictureDrawing();
+    PictureDrawing(const PictureDrawing &) = delete;
+    PictureDrawing &operator=(const PictureDrawing &) = delete;
+
+    bool draw_tile();     ///< the next; false where there is none left. Throws Unavailable where the driver fails
+    double share() const; ///< of the tiles that are drawn
+    Image take() &&;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// All of it at once.
 Image draw_picture(const PictureSpec &spec, int tile_side = largest_tile);
 
 } // namespace penumbra

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace penumbra {
@@ -95,30 +96,51 @@ int side_of(const Tiling &tiling) {
 
 } // namespace
 
-Image draw_in_tiles(const Tiling &tiling, const std::function<void(const PixelRect &)> &draw_smooth,
-                    const std::function<void(const PixelRect &)> &draw_over) {
-    const int width = tiling.width * tiling.supersample, height = tiling.height * tiling.supersample;
-    const int side = side_of(tiling), tile_width = std::min(side, width), tile_height = std::min(side, height);
-    const gl::Framebuffer canvas(tile_width, tile_height, gl::Framebuffer::Colour::srgb8, 4);
-    const gl::Framebuffer flat(tile_width, tile_height, gl::Framebuffer::Colour::srgb8, 1);
-    const auto n_pixels = static_cast<std::size_t>(tiling.width) * static_cast<std::size_t>(tiling.height);
-    Image image{tiling.width, tiling.height, std::vector<std::uint8_t>(3 * n_pixels),
-                std::vector<std::uint8_t>(tiling.transparent ? n_pixels : 0)};
-    for (int bottom = 0; bottom < height; bottom += side)
-        for (int left = 0; left < width; left += side) {
-            const int high = std::min(side, height - bottom);
-            const PixelRect tile{left, height - bottom - high, std::min(side, width - left), high};
-            canvas.bind();
-            glDisable(GL_SCISSOR_TEST);
-            glClearColor(tiling.background.r, tiling.background.g, tiling.background.b, tiling.background.a);
-            glClear(GL_COLOR_BUFFER_BIT);
-            draw_smooth(tile);
-            flat.resolve(canvas, 0, 0, tile.width, tile.height);
-            draw_over(tile);
-            flat.bind();
-            put(image, tiling, tile, read_rgba(tile));
-        }
-    return image;
+struct TiledDrawing::Parts {
+    Tiling tiling;
+    int width, height, side; ///< [samples]
+    gl::Framebuffer canvas, flat;
+    Image image;
+    int next = 0; ///< tile
+
+    explicit Parts(const Tiling &t)
+        : tiling(t), width(t.width * t.supersample), height(t.height * t.supersample), side(side_of(t)),
+          canvas(std::min(side, width), std::min(side, height), gl::Framebuffer::Colour::srgb8, 4),
+          flat(std::min(side, width), std::min(side, height), gl::Framebuffer::Colour::srgb8, 1) {
+        const auto n_pixels = static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height);
+        image = {t.width, t.height, std::vector<std::uint8_t>(3 * n_pixels), std::vector<std::uint8_t>(t.transparent ? n_pixels : 0)};
+    }
+    int columns() const { return (width + side - 1) / side; }
+    int n_tiles() const { return columns() * ((height + side - 1) / side); }
+};
+
+TiledDrawing::TiledDrawing(const Tiling &tiling) : parts_(std::make_unique<Parts>(tiling)) {}
+TiledDrawing::~TiledDrawing() = default;
+
+bool TiledDrawing::draw_tile(const std::function<void(const PixelRect &)> &draw_smooth,
+                             const std::function<void(const PixelRect &)> &draw_over) {
+    Parts &p = *parts_;
+    if (p.next == p.n_tiles())
+        return false;
+    const int left = p.next % p.columns() * p.side, bottom = p.next / p.columns() * p.side;
+    const int high = std::min(p.side, p.height - bottom);
+    const PixelRect tile{left, p.height - bottom - high, std::min(p.side, p.width - left), high};
+    const glm::vec4 &background = p.tiling.background;
+    p.canvas.bind();
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(background.r, background.g, background.b, background.a);
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw_smooth(tile);
+    p.flat.resolve(p.canvas, 0, 0, tile.width, tile.height);
+    draw_over(tile);
+    p.flat.bind();
+    put(p.image, p.tiling, tile, read_rgba(tile));
+    ++p.next;
+    return true;
 }
+
+double TiledDrawing::share() const { return static_cast<double>(parts_->next) / parts_->n_tiles(); }
+
+Image TiledDrawing::take() && { return std::move(parts_->image); }
 
 } // namespace penumbra

@@ -21,7 +21,6 @@
 #include "window/display_end.h"
 #include "window/end_signal.h"
 #include "window/save_state.h"
-#include "window/take_picture.h"
 #include "window/theme.h"
 
 #include <fmt/format.h>
@@ -124,7 +123,7 @@ void Viewer::show_until_closed(const EndSignal &signal) {
         serve_requests();
         if (window_.take_touched() || window_.has_input_waiting())
             frames_owed_ = frames_to_settle;
-        if (state_.busy || state_.playing)
+        if (state_.busy || state_.playing || state_.pictures.drawn)
             frames_owed_ = std::max(frames_owed_, 1);
         play_script();
         if (frames_owed_ <= 0)
@@ -276,6 +275,8 @@ double Viewer::wait_time() {
         wait = sooner(wait, 0.1); // its clock runs
     if (script_)
         wait = sooner(wait, 0.02);
+    if (state_.pictures.drawn)
+        wait = 0;
     if (state_.look.emphasise_fresh) {
         const double left = fresh_seconds - seconds_since(state_.fresh_since);
         if (left > 0)
@@ -426,8 +427,10 @@ void Viewer::take_pictures() {
     int width = 0, height = 0;
     window_.framebuffer_size(width, height);
     if (request)
-        take_picture(state_, *request, width, height);
-    if (take_pending_picture(state_, width, height) || request)
+        photographer_.take(state_, *request, width, height);
+    else if (!photographer_.go_on(state_, width, height))
+        return;
+    if (!state_.pictures.drawn) // else it goes on with the next frame
         frames_owed_ = frames_to_settle;
 }
 

@@ -13,6 +13,7 @@
 #include "window/glfw_window.h"
 #include "window/keeper.h"
 #include "window/pane_canvas.h"
+#include "window/take_picture.h"
 
 #include <array>
 #include <filesystem>
@@ -81,6 +82,7 @@ private:
     AppState state_;
     GlfwWindow window_;
     PaneCanvas canvas_;
+    Photographer photographer_;
     std::optional<ScriptPlayer> script_;
     std::optional<Recorder> recorder_;
     std::optional<FrameTimes> frame_times_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sys/wait.h>
 
 namespace penumbra::gui {
@@ -262,6 +263,34 @@ TEST(Pictures, TheSettingsAreObeyed) {
     const Image copied = run_copied(session, "figure-4");
     EXPECT_EQ(copied.rgb, image.rgb);
     EXPECT_EQ(copied.alpha, image.alpha);
+}
+
+TEST(Pictures, ALargeOneIsDrawnBesidesAndEscGivesItUp) {
+    const fs::path script = fs::path(testing::TempDir()) / ("large-picture-" + std::to_string(::getpid()) + ".txt");
+    std::ofstream(script) << "pictures 3840x2160 4\n";
+    Session session({"--script", script.string()});
+    session.wait_until("the settings", [](const Json &s) { return s["pictures"]["supersample"] == 4 && s["script"]["playing"] == false; });
+    fs::remove(script);
+    session.settled();
+    session.key("F12");
+    const Json begun = session.wait_until("a part of it", [](const Json &s) { return s["pictures"]["drawn"].is_number(); });
+    EXPECT_LT(begun["pictures"]["drawn"], 0.9);
+    session.key("m"); // the window goes on
+    session.wait_until("no mesh", [](const Json &s) { return s["layers"]["mesh"] == false && s["pictures"]["drawn"].is_number(); });
+    session.key("Escape");
+    const Json given_up = session.wait_until("it is given up", [](const Json &s) { return s["pictures"]["drawn"].is_null(); });
+    EXPECT_EQ(given_up["message"], "No picture was taken.");
+    EXPECT_EQ(given_up["picture"], "");
+    EXPECT_TRUE(!fs::exists(session.home() / "Pictures") || fs::is_empty(session.home() / "Pictures"));
+    // The next one is drawn to its end, as it was when it was asked for.
+    session.key("F12");
+    session.wait_until("a part of it", [](const Json &s) { return s["pictures"]["drawn"].is_number(); });
+    session.key("m");
+    const Json taken = session.wait_until("the picture", [](const Json &s) { return s["picture"] != ""; }, 120);
+    EXPECT_EQ(taken["layers"]["mesh"], true);
+    const fs::path file = taken["picture"].get<std::string>();
+    EXPECT_EQ(state_of(file)["layers"]["mesh"], false);
+    EXPECT_EQ(read_png(file).width, 3840);
 }
 
 } // namespace
