@@ -28,6 +28,7 @@ void set_theme(Theme theme, float text_height) {
     style.WindowRounding = style.ChildRounding = 0;
     style.FrameRounding = style.GrabRounding = style.PopupRounding = 0.2f * em;
     style.WindowBorderSize = 0;
+    style.WindowMinSize = {1, 1}; // the bars are lower than the usual one
     style.PopupBorderSize = 1;
     style.DisabledAlpha = 0.4f;
 

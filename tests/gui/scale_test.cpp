@@ -64,6 +64,15 @@ TEST_F(TwiceAsLarge, TheBarsAndTheSidePanelAreWhole) {
     look("x", "errors");
 }
 
+TEST(AsLargeAsUsual, NothingIsCutOff) {
+    Session session;
+    EXPECT_EQ(session.settled()["cut"], Json::array());
+    for (const char *key : {"Right", "ctrl+4", "x"}) {
+        session.key(key);
+        EXPECT_EQ(session.settled()["cut"], Json::array()) << key;
+    }
+}
+
 class TwiceAsLargeByTolerance : public TwiceAsLarge {
 protected:
     TwiceAsLargeByTolerance() : TwiceAsLarge("--tolerance") {}
