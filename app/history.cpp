@@ -23,6 +23,15 @@ bool differ_by_camera_alone(const Parameters &a, Parameters b) {
     return a == b;
 }
 
+/// Which pane is active is no change that is taken back; with it goes which pane's own the look has.
+Parameters but_the_active_pane(Parameters p) {
+    for (PaneSet &panes : p.pane_sets)
+        panes.active = 0;
+    if (p.pane_tones)
+        p.look = with_tone(p.look, {});
+    return p;
+}
+
 /// Of all panes, without the ranges that follow what is shown.
 std::array<Tone, 4> chosen_tones(const AppState &state) {
     std::array<Tone, 4> tones = state.pane_tones;
@@ -124,6 +133,10 @@ void note_changes(AppState &state, Clock::time_point now) {
     }
     if (p == *history.present)
         return;
+    if (but_the_active_pane(p) == but_the_active_pane(*history.present)) {
+        history.present = std::move(p);
+        return;
+    }
     const bool moved = differ_by_camera_alone(*history.present, p);
     const bool still_moving = moved && std::chrono::duration<double>(now - history.moved_at).count() < one_movement;
     if (!still_moving || history.past.empty())

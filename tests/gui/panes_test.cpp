@@ -304,6 +304,22 @@ TEST_F(PanesTest, UnlinkedExposureAndRangeAreThePanesOwn) {
     session.wait_until("as it was saved", [&](const Json &s) { return s["tones"] == darker["tones"] && s["layout"] == "two"; });
 }
 
+TEST_F(PanesTest, WhichPaneIsActiveIsNoChangeToTakeBack) {
+    press("m");
+    enter("shift+w", "flip");
+    press("l");
+    const Json before = session.settled();
+    press("shift+w");
+    press("shift+w");
+    press("shift+w");
+    const Json flipped = session.settled();
+    EXPECT_NE(flipped["active"], before["active"]);
+    EXPECT_EQ(flipped["changes"], before["changes"]);
+    EXPECT_EQ(flipped["layers"]["links"], true);
+    session.key("ctrl+z");
+    session.wait_until("no links", [](const Json &s) { return s["layers"]["links"] == false && s["layout"] == "flip"; });
+}
+
 TEST_F(PanesTest, UnlinkedStepsMoveAlone) {
     press("ctrl+2");
     press("Home");
