@@ -61,13 +61,14 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
     const double size = reflected_square(*setting.scene, state.forest, state.radiosity);
     solution.hidden = setting.hidden_pairs.get();
     std::optional<ReflectedGather> gather;
+    ResidualSampling sampling;
     const auto gather_exactly = [&] {
         gather.emplace(*setting.scene, *setting.blockers, state.forest, state.radiosity, std::max(1e-6, gather_share * goal));
         solution.gather = &*gather;
+        sampling.n_points = 32; // a point costs as much as hundreds of rays, and has no noise
     };
     if (!setting.rays && !setting.one_bounce())
         gather_exactly();
-    ResidualSampling sampling;
     Batches batches;
     std::int64_t n_rays = 0;
     for (std::uint64_t round = 0;; ++round) {
@@ -82,7 +83,8 @@ ErrorEstimate measure_error(const Setting &setting, const State &state, double g
         e.n_rays = n_rays;
         if (!setting.one_bounce())
             e.upper *= left_out;
-        const bool known = e.spread <= 0.5 * e.mean_square;
+        const bool undecided = e.mean_square < square(goal) && e.upper > goal;
+        const bool known = e.spread <= (undecided ? 0.5 : 1) * e.mean_square;
         const bool above = e.mean_square - e.spread > square(goal);
         const bool far_below = e.upper < goal / 30; // below a tenth: more than was asked for, however much
         if (known || above || far_below || batches.size() >= most_batches)
