@@ -117,7 +117,7 @@ TEST_F(CommandLine, UnlessAskedOtherwiseTheErrorIsBelowOneInAHundred) {
 
 TEST_F(CommandLine, ATimeLimitAloneIsABudget) {
     // Far more than the first settled states take, far less than rounding would.
-    const Result result = run("solve cornell-box --time-limit 3 -o r.json");
+    const Result result = run("solve cornell-box --time-limit " + std::to_string(3 * penumbra::time_factor) + " -o r.json");
     EXPECT_EQ(result.status, 4);
     EXPECT_THAT(result.err, HasSubstr("most accurate complete solution"));
     EXPECT_THAT(result.err, HasSubstr("its error is about"));
