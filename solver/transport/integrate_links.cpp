@@ -90,7 +90,7 @@ private:
             (leeway_.misfit <= 0 || c % probe_stride == 0 ? probes : others).push_back(c);
         Rows whole = Rows::Zero(n_tests, n_columns());
         look_at(probes, whole);
-        left_out = columns_to_leave_out(nodes_, whole, leeway_);
+        left_out = columns_to_leave_out(nodes_, whole, size_, distance_, leeway_);
         std::vector<Eigen::Index> kept;
         Eigen::Index first = 0;
         for (std::size_t k = 0; k < nodes_.size(); ++k) {

@@ -48,7 +48,7 @@ int sufficient_order(const ElementBasis &p, std::span<const Vec2> points, const 
     return p.order();
 }
 
-std::vector<Eigen::VectorXd> columns_to_leave_out(std::span<const SourceNode> nodes, const Eigen::MatrixXd &transfers,
+std::vector<Eigen::VectorXd> columns_to_leave_out(std::span<const SourceNode> nodes, const Eigen::MatrixXd &transfers, double size, double distance,
                                                   const Leeway &leeway) {
     std::vector<Eigen::VectorXd> out(nodes.size());
     if (leeway.misfit <= 0 || transfers.rows() == 0)
@@ -62,7 +62,9 @@ std::vector<Eigen::VectorXd> columns_to_leave_out(std::span<const SourceNode> no
     Eigen::Index first = 0;
     for (std::size_t k = 0; k < nodes.size(); first += nodes[k++].n_columns) {
         const int n = nodes[k].n_columns - 1;
-        if (n < 1)
+        const ElementBasis &q = nodes[k].element.basis;
+        const double width = q.area() / radius(q.outline());
+        if (n < 1 || (distance < width && width < size))
             continue;
         Node node{k, transfers.middleCols(first + 1, n).cwiseAbs().colwise().maxCoeff().transpose(), 0};
         const Rgb most = (node.largest.transpose() * leeway.radiosity->middleRows(nodes[k].element.first + 1, n).cwiseAbs())

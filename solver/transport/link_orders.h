@@ -21,8 +21,10 @@ int sufficient_order(const ElementBasis &p, std::span<const Vec2> points, const 
 
 /// By node: the largest |T_j| (j > 0) over the rows of `transfers` (points x columns of all nodes), where the node's columns
 /// but the first can be left out: those of nodes whose sum_j |T_j| |b_j| is least, while their sum stays within the leeway.
-/// Empty for the others and for nodes of one column.
-std::vector<Eigen::VectorXd> columns_to_leave_out(std::span<const SourceNode> nodes, const Eigen::MatrixXd &transfers,
+/// Empty for the others, for nodes of one column, and for those that the receiver comes nearer than their width, where this is
+/// less than its own radius: there they bring far more than points spread over it see. `size`: that radius; `distance`: of the
+/// receiver and the source's surface.
+std::vector<Eigen::VectorXd> columns_to_leave_out(std::span<const SourceNode> nodes, const Eigen::MatrixXd &transfers, double size, double distance,
                                                   const Leeway &leeway);
 
 } // namespace penumbra

