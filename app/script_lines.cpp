@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace penumbra {
 
@@ -157,10 +158,31 @@ std::string camera_line(const Camera &c) {
     return fmt::format("show --camera \"{} {} {} {}\"", triple(c.eye), triple(c.target), triple(c.up), c.fov_y);
 }
 
-/// Views of panes that have their own are gone through once, back to the active one.
+std::size_t active_pane(const Parameters &p) { return static_cast<std::size_t>(p.pane_sets[pane_set_of(p.layout)].active); }
+
+/// Makes panes that have lines of their own the active one for these, once round and back.
+void go_through_panes(Lines &lines, const Parameters &to, const std::function<Lines(std::size_t)> &of) {
+    const int n = n_places(to.layout);
+    int passed = 0; // panes, since the last line
+    const auto pass = [&] {
+        if (passed > 0)
+            lines.push_back(passed == 1 ? "view.next_pane" : fmt::format("view.next_pane {}", passed));
+        passed = 0;
+    };
+    bool any = false;
+    for (int k = 0; k < n; ++k, ++passed)
+        if (const Lines own = of((active_pane(to) + static_cast<std::size_t>(k)) % static_cast<std::size_t>(n)); !own.empty()) {
+            pass();
+            lines.insert(lines.end(), own.begin(), own.end());
+            any = true;
+        }
+    if (any && passed < n)
+        pass();
+}
+
 void show_cameras(Lines &lines, const Parameters &a, const Parameters &b) {
     const int n = n_places(b.layout);
-    const auto active = static_cast<std::size_t>(b.pane_sets[pane_set_of(b.layout)].active);
+    const std::size_t active = active_pane(b);
     if (n > 1 && a.pane_cameras.has_value() != b.pane_cameras.has_value())
         lines.emplace_back("view.unlink");
     if (n == 1 || !b.pane_cameras) {
@@ -174,24 +196,13 @@ void show_cameras(Lines &lines, const Parameters &a, const Parameters &b) {
     const auto same = [&](std::size_t pane) {
         return a.pane_cameras ? (*a.pane_cameras)[pane] == (*b.pane_cameras)[pane] : a.camera == (*b.pane_cameras)[pane];
     };
-    int passed = 0; // panes, since the last line
-    const auto pass = [&] {
-        if (passed > 0)
-            lines.push_back(passed == 1 ? "view.next_pane" : fmt::format("view.next_pane {}", passed));
-        passed = 0;
-    };
-    bool any = false;
-    for (int k = 0; k < n; ++k, ++passed)
-        if (const auto pane = (active + static_cast<std::size_t>(k)) % static_cast<std::size_t>(n); !same(pane)) {
-            pass();
-            lines.push_back(camera_line((*b.pane_cameras)[pane]));
-            any = true;
-        }
-    if (any && passed < n)
-        pass();
+    go_through_panes(lines, b, [&](std::size_t pane) { return same(pane) ? Lines() : Lines{camera_line((*b.pane_cameras)[pane])}; });
 }
 
-std::string tone_line(const Tone &from, const Tone &to) {
+Lines tone_lines(const Tone &from, const Tone &to) {
+    Lines lines;
+    if (from.range_chosen && !to.range_chosen)
+        lines.emplace_back("layers.lock_range");
     OptionLine show{"show"};
     if (from.exposure_ev != to.exposure_ev)
         show.add("exposure", text(to.exposure_ev));
@@ -199,47 +210,23 @@ std::string tone_line(const Tone &from, const Tone &to) {
         show.add("range", text(*to.range));
     if (to.error_range && from.error_range != to.error_range)
         show.add("error-range", text(*to.error_range));
-    Lines lines;
     show.end(lines);
-    return lines.empty() ? std::string() : lines.front();
+    return lines;
 }
 
-/// Exposure and ranges of the panes that are not active, where they have their own, gone through once and back.
+/// Exposure and ranges of the panes that are not active, where they have their own.
 void show_tones(Lines &lines, const Parameters &a, const Parameters &b) {
-    const int n = n_places(b.layout);
-    if (n == 1)
+    if (n_places(b.layout) == 1)
         return;
     if (a.pane_tones.has_value() != b.pane_tones.has_value())
         lines.emplace_back("view.unlink_tones");
     if (!b.pane_tones)
         return;
-    const auto active = static_cast<std::size_t>(b.pane_sets[pane_set_of(b.layout)].active);
-    int passed = 0;
-    const auto pass = [&] {
-        if (passed > 0)
-            lines.push_back(passed == 1 ? "view.next_pane" : fmt::format("view.next_pane {}", passed));
-        passed = 0;
-    };
-    bool any = false;
-    for (int k = 1; k < n; ++k) {
-        ++passed;
-        const auto pane = (active + static_cast<std::size_t>(k)) % static_cast<std::size_t>(n);
-        const Tone &from = a.pane_tones ? (*a.pane_tones)[pane] : (*b.pane_tones)[active], &to = (*b.pane_tones)[pane];
-        const bool unlocks = from.range_chosen && !to.range_chosen;
-        const std::string line = tone_line(from, to);
-        if (line.empty() && !unlocks)
-            continue;
-        pass();
-        any = true;
-        if (unlocks)
-            lines.emplace_back("layers.lock_range");
-        if (!line.empty())
-            lines.push_back(line);
-    }
-    if (any) {
-        ++passed;
-        pass();
-    }
+    const std::size_t active = active_pane(b);
+    go_through_panes(lines, b, [&](std::size_t pane) {
+        const Tone &from = a.pane_tones ? (*a.pane_tones)[pane] : (*b.pane_tones)[active];
+        return pane == active ? Lines() : tone_lines(from, (*b.pane_tones)[pane]);
+    });
 }
 
 void show_look(Lines &lines, const Scripted &a, const Scripted &b) {
